@@ -67,7 +67,8 @@ archive_unpacked_bytes(const struct archive *archive)
 	return bytes;
 }
 
-/* Returns the contents of an entry, whatever size it states. */
+/* Reads an entry to its end, whatever size the archive states.  Returns NULL if
+ * it is damaged or exceeds the limit. */
 static char *
 read_entry_to_end(struct archive *archive, zip_file_t *file, size_t *n)
 {

@@ -6,25 +6,25 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* An archive in memory.  At most 50 MB is unpacked in all, so a small file
+/* An archive in memory.  It unpacks at most 50 MB in all, so a small file
  * cannot exhaust memory. */
 struct archive;
 
-/* Opens the archive in bytes [n], which are borrowed.  Returns NULL if they are
- * not a zip archive, with the reason in *wrong, which the caller frees. */
+/* Opens the archive in bytes [n], which must outlive it.  Returns NULL if they
+ * are not a zip archive, with the reason in *wrong, which the caller frees. */
 struct archive *archive_open(const char *bytes, size_t n, char **wrong);
 void archive_close(struct archive *archive);
 
 /* True if the archive contains a part with this name, ignoring case. */
 bool archive_has_entry(const struct archive *archive, const char *name);
 
-/* Returns the unpacked size of all parts, in bytes, as stated in the
- * archive. */
+/* Returns the total unpacked size of the parts, in bytes, as the archive states
+ * it. */
 double archive_unpacked_bytes(const struct archive *archive);
 
-/* Returns a part, *n bytes and a NUL, which the caller frees.  Returns NULL,
- * with the reason in *wrong as above, if the part is missing, encrypted,
- * damaged or too large. */
+/* Returns the content of a part, *n bytes and a NUL, which the caller frees.
+ * Returns NULL, with the reason in *wrong as above, if the part is missing,
+ * encrypted, damaged or too large. */
 char *archive_unpack_entry(
     struct archive *archive, const char *name, size_t *n, char **wrong);
 

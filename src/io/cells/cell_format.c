@@ -13,10 +13,10 @@
 #include "base/xalloc.h"
 #include "io/cells/datetime.h"
 
-/* What a code says on its way. */
+/* What has been found in a format code so far. */
 struct said {
 	bool percent, day, time, span;
-	size_t n; /* of unit */
+	size_t n; /* length of unit */
 	char unit[16];
 };
 
@@ -38,7 +38,7 @@ parse_quoted_or_bracketed(const char *p, struct said *said)
 			append_format_unit_char(said, *p);
 		p++;
 	}
-	/* Of elapsed time: a letter alone, once or twice. */
+	/* [h] or [mm]: elapsed time. */
 	size_t n = (size_t)(p - from);
 	if (close == ']' && n > 0 && n <= 2 &&
 	    strchr("hHmMsS", *from) != NULL && from[n - 1] == from[0])
@@ -46,7 +46,7 @@ parse_quoted_or_bracketed(const char *p, struct said *said)
 	return *p != '\0' ? p + 1 : p;
 }
 
-/* Reads a sign by itself.  Returns the text after it. */
+/* Reads a character outside quotes and brackets.  Returns the text after it. */
 static const char *
 parse_format_char(const char *p, struct said *said)
 {
@@ -114,7 +114,8 @@ cell_format_of_code(const char *code)
 	size_t n = strlen(unit);
 	while (n > 0 && unit[n - 1] == ' ')
 		n--;
-	/* A word; what was too long may end within a character. */
+	/* Only a word is a unit.  One that was cut short is dropped, as it may
+	 * end within a character. */
 	if (said.n + 1 == sizeof said.unit ||
 	    !(isalpha((unsigned char)*unit) || (*unit & 0x80) != 0))
 		n = 0;
@@ -153,8 +154,8 @@ cell_format_serial_to_text(double serial, bool from_1904,
 		snprintf(text, 32, "%02ld%s", (long)seconds / 3600, clock + 2);
 		return true;
 	}
-	/* Before 1900-03-01 the calendar of 1900 is a day behind: it has a
-	 * leap day that never was. */
+	/* Spreadsheets take 1900 for a leap year, so before 1900-03-01 their
+	 * day numbers are one less. */
 	long epoch = from_1904 ? TO_1904 : TO_1899 + (day < 60);
 	FREED char *date = kind == FORMAT_DATE || day > 0
 			       ? datetime_date_from_days(day + epoch)

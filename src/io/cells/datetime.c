@@ -48,8 +48,8 @@ days_since_1970(int year, int month, int day)
 	return days;
 }
 
-/* Reads a number of at most `most` digits at *p and moves *p after it; -1 if
- * there is none. */
+/* Reads a number of at most `most` digits, *n of them, and moves *p past it.
+ * Returns -1 if there is none, or more digits follow. */
 static int
 parse_digits(const char **p, size_t most, size_t *n)
 {
@@ -70,7 +70,7 @@ month_from_name(const char *word)
 	return 0;
 }
 
-/* Reads "May-2026", after the day. */
+/* Reads the "May-2026" that follows a day. */
 static bool
 parse_month_name_and_year(const char **p, int day, struct datetime *m)
 {
@@ -81,13 +81,14 @@ parse_month_name_and_year(const char **p, int day, struct datetime *m)
 		(*p)++;
 	*p += strspn(*p, ".- ,");
 	m->year = parse_digits(p, 4, &n);
-	/* The day comes first where the month is a word: 03-May-26. */
+	/* The day comes first, so 26 in 03-May-26 is a year. */
 	m->year += n == 2 ? 2000 : 0;
 	m->plain = true;
 	return (n == 2 || n == 4) && is_valid_date(m->year, m->month, m->day);
 }
 
-/* Reads the last two numbers of a date, after a day or month and a sign. */
+/* Reads the last two numbers of a date.  The first, a day or month, and the
+ * sign after it have been read. */
 static bool
 parse_rest_of_numeric_date(
     const char **p, int first, char sign, struct datetime *m)
@@ -110,7 +111,7 @@ parse_rest_of_numeric_date(
 	return n == 4 && (day_first || month_first);
 }
 
-/* Reads a date at *p and moves *p after it. */
+/* Reads a date at *p and moves *p past it. */
 static bool
 datetime_parse_date(const char **p, struct datetime *m)
 {
@@ -138,7 +139,7 @@ datetime_parse_date(const char **p, struct datetime *m)
 	return is_valid_date(m->year, m->month, m->day);
 }
 
-/* Reads "AM" or "p.m.". */
+/* Reads "AM" or "p.m.", if there, and corrects the hour. */
 static bool
 parse_am_pm(const char **p, int *hour)
 {
@@ -154,7 +155,7 @@ parse_am_pm(const char **p, int *hour)
 	return true;
 }
 
-/* Reads "Z" or "+02:00", which nothing may follow. */
+/* Reads a time zone, "Z" or "+02:00", or nothing, at the end of the text. */
 static bool
 parse_time_zone(const char *p, struct datetime *m)
 {
@@ -179,7 +180,7 @@ parse_time_zone(const char *p, struct datetime *m)
 	return *p == '\0';
 }
 
-/* Reads a time of day, to the end of the text.  point: "10.15" is one too. */
+/* Reads a time of day that ends the text.  point: "10.15" is allowed too. */
 static bool
 datetime_parse_time(const char *p, bool point, struct datetime *m)
 {

@@ -1,5 +1,6 @@
-/* Decodes bytes as UTF-8, UTF-16 or Windows-1252.  It does not use iconv, whose
- * names and repertoire depend on the system; utf8proc composes.
+/* Decodes bytes as UTF-8, UTF-16 or Windows-1252.  It does not use iconv,
+ * because the encodings that iconv knows, and their names, depend on the
+ * system.  utf8proc composes letters with their accents.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/encoding.h"
 
@@ -55,8 +56,8 @@ decode_windows_1252(const char *bytes, size_t n)
 	return d;
 }
 
-/* A byte that is not UTF-8 among others that are means a damaged file: its
- * letters cannot all be right in Windows-1252. */
+/* If some non-ASCII characters are valid UTF-8 and others are not, the file is
+ * damaged: read as Windows-1252, the valid ones would become wrong letters. */
 static struct decoded
 decode_utf8_or_1252(const char *bytes, size_t n)
 {
@@ -89,8 +90,8 @@ read_utf16_unit(const char *bytes, bool big)
 	return a << 8 | b;
 }
 
-/* Returns the character at i and moves i after it; UINT32_MAX for half a
- * pair. */
+/* Returns the character at *i and moves *i past it.  Returns UINT32_MAX for
+ * half a surrogate pair. */
 static uint32_t
 decode_next_utf16_char(const char *bytes, size_t n, bool big, size_t *i)
 {
@@ -141,8 +142,9 @@ encoding_decode(const char *bytes, size_t n)
 	return decode_utf8_or_1252(bytes, n);
 }
 
-/* False for a letter with very many accents: utf8proc sorts them by exchanging
- * neighbours, which for a million of them would take too long. */
+/* Returns false if there is nothing to compose, or a letter has very many
+ * accents: utf8proc sorts these by exchanging neighbours, which would take too
+ * long for a million of them. */
 static bool
 has_few_enough_accents(const char *text)
 {

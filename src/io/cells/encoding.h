@@ -5,11 +5,11 @@
 
 #include <stddef.h>
 
-/* The text of a file, n bytes of UTF-8.  encoding: UTF-16 is recognised by its
- * byte order mark, or by zeros beside the first two characters; Windows-1252 by
- * bytes that are invalid in UTF-8, if no non-ASCII character is valid;
- * everything else is UTF-8.  text: without a byte order mark, never NULL.
- * wrong: NULL, or the fault at byte `bad` of text. */
+/* The text of a file, n bytes of UTF-8 without a byte order mark; never NULL.
+ * encoding: UTF-16 is recognised by its byte order mark, or by zeros beside the
+ * first two characters; Windows-1252 by bytes that are invalid in UTF-8, if
+ * there are no non-ASCII characters that are valid; everything else is UTF-8.
+ * wrong: what is wrong at byte `bad` of the text, or NULL. */
 enum encoding { ENCODING_UTF8, ENCODING_UTF16, ENCODING_1252 };
 struct decoded {
 	enum encoding encoding;

@@ -1,6 +1,6 @@
-/* Finds the columns of a plain text where all lines of numbers that follow each
- * other have them, and sorts the words of the lines above by what they stand
- * over.
+/* Finds the columns of tables in plain text.  Lines of numbers that follow each
+ * other are a table if they share columns; each word in the lines above belongs
+ * to the column that it stands over.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/fixed_width.h"
 
@@ -14,30 +14,32 @@ enum {
 	MOST_CELLS = 64,
 	MOST_WIDE = 400,
 	MOST_HEADS = 4,
-	LEAST_LINES = 3 /* of numbers, that make a table */
+	LEAST_LINES = 3 /* fewer lines of numbers are not a table */
 };
 
-/* A cell of a line: its bytes, and the same in characters. */
+/* The place of a cell in its line: bytes from `from` to before end, characters
+ * from left to before right. */
 struct span {
 	size_t from, end, left, right;
 };
 
-/* A line, without its end.  numbers: it has a word or number and numbers beside
- * it; rule: it has only signs that rule off. */
+/* A line, without its line end.  numbers: it has at least two cells, and all
+ * but the first are numbers.  rule: it has only the characters of a rule, such
+ * as - or |. */
 struct line {
 	char *text;
 	size_t n;
 	bool numbers, rule;
 };
 
-/* Columns of a table, in characters. */
+/* The columns of a table; only left and right of each are set. */
 struct grid_columns {
 	size_t n;
 	struct span column[MOST_CELLS];
 };
 
-/* Splits a line where two blanks or more are.  Returns the number of cells, 0
- * if they are too many. */
+/* Splits a line where there are two or more spaces.  Returns the number of
+ * cells, or 0 if there are too many. */
 static size_t
 split_at_blanks(const struct line *line, struct span *cell)
 {
@@ -61,11 +63,11 @@ split_at_blanks(const struct line *line, struct span *cell)
 	return n;
 }
 
-/* Of a line: a search for digits does not go on behind it. */
+/* To search for digits, but only to the end of the line. */
 static const char DIGIT_OR_END[] = "0123456789\r\n";
 
-/* True for 97,5 and 97.5 %, and for the signs of an absent number; not for what
- * a comma or semicolon ends, which then separates cells. */
+/* True for 97,5 and 97.5 %, and for the dash of a missing number.  False if it
+ * begins or ends with a comma or semicolon, which then separates cells. */
 static bool
 is_cell_like_number(const struct line *line, const struct span *cell)
 {
@@ -100,7 +102,7 @@ is_rule(const struct line *line)
 	return dashes > 2 && strspn(line->text, "-=_+:| ") >= line->n;
 }
 
-/* Lists the lines of a text, without blank ones: these have n 0. */
+/* Lists the lines of a text.  For blank lines, n is 0. */
 static struct line *
 list_lines(char *text, size_t *n)
 {
@@ -122,8 +124,8 @@ list_lines(char *text, size_t *n)
 	return line;
 }
 
-/* Finds the columns of lines of numbers: characters that at least one of them
- * fills. */
+/* Finds the columns of lines of numbers: runs of characters that at least one
+ * line fills. */
 static struct grid_columns
 find_columns(const struct line *line, size_t n)
 {
@@ -154,8 +156,8 @@ distance(const struct span *a, const struct span *b)
 				     : 0;
 }
 
-/* Returns the column that a cell stands in or nearest to, by its middle where
- * it stands in several. */
+/* Returns the column that a cell overlaps or is nearest to.  If it overlaps
+ * several, their middles decide. */
 static size_t
 column_of_cell(const struct grid_columns *g, const struct span *cell)
 {
@@ -173,8 +175,8 @@ column_of_cell(const struct grid_columns *g, const struct span *cell)
 	return best;
 }
 
-/* Widens the columns by a line of heads that has one for each, which may begin
- * far to the left of the numbers. */
+/* Widens the columns to hold a line of headings that has one for each.  A
+ * heading may begin far to the left of its numbers. */
 static void
 widen_columns_to_heads(struct grid_columns *g, const struct line *head)
 {
@@ -189,8 +191,8 @@ widen_columns_to_heads(struct grid_columns *g, const struct line *head)
 	}
 }
 
-/* A table: its lines of numbers, from first to before end, and their heads,
- * from top on, which are above without an empty line. */
+/* A table: its lines of numbers, from first to before end, and the headings
+ * above them, from line top.  There is no empty line between. */
 struct text_table {
 	size_t top, first, end;
 	struct grid_columns columns;
@@ -211,10 +213,10 @@ find_text_table(const struct line *line, size_t first, size_t n)
 	return t;
 }
 
-/* Splits a line and puts tabs between its cells: as many as there are columns
- * from one to the next, or one each for a line that is of no table (g: NULL).
- * Returns the number of cells; 0 if they are more than the columns, two are in
- * one, or the line is too wide. */
+/* Splits a line and puts tabs between its cells.  g: the columns of its table,
+ * which give the number of tabs to put; NULL for a line outside tables, which
+ * gets one tab between cells.  Returns the number of cells, or 0 if there are
+ * more than columns, two are in one column, or the line is too wide. */
 static size_t
 put_tab_characters_in_line(struct line *line, const struct grid_columns *g,
     struct span cell[static MOST_CELLS])
@@ -236,10 +238,10 @@ put_tab_characters_in_line(struct line *line, const struct grid_columns *g,
 	return n;
 }
 
-/* Puts tabs into the lines of a table and into its heads.  Returns false unless
- * every cell stands in a column of its own, and a line of heads, of which none
- * begins with a number, has one for each: a gap then cannot move a number into
- * the column of another sample. */
+/* Puts tabs into the lines of a table and into its headings.  Returns false
+ * unless every cell has a column of its own, no line of headings begins with a
+ * number, and one of them has a heading for each column.  Otherwise a gap could
+ * move a number into the column of another sample. */
 static bool
 put_tab_characters_in_table(struct line *line, const struct text_table *t)
 {
@@ -258,8 +260,8 @@ put_tab_characters_in_table(struct line *line, const struct text_table *t)
 	return whole;
 }
 
-/* Puts tabs into all tables.  Returns false if one is not certain, or there are
- * too few lines of numbers. */
+/* Puts tabs into all tables.  Returns false if the columns of one are in doubt,
+ * or there are too few lines of numbers. */
 static bool
 put_tab_characters_in_tables(struct line *line, size_t n)
 {
@@ -293,7 +295,7 @@ put_tabs_for_bars(struct line *line)
 		*p = *p == '|' ? '\t' : *p;
 }
 
-/* True if most lines have bars, which separate cells. */
+/* True if most lines have a |, which then separates cells. */
 static bool
 has_bars(const struct line *line, size_t n)
 {

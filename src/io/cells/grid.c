@@ -13,10 +13,12 @@
 #include "base/xalloc.h"
 #include "io/cells/encoding.h"
 
-/* Of a sheet, though its texts may stand in the file once for many cells. */
+/* Limits of a workbook and of a sheet.  MOST_BYTES counts a text once for each
+ * cell that has it. */
 enum { MOST_SHEETS = 200, MOST_BYTES = 10 * 1000 * 1000 };
 
-/* Of a cell, which in Excel has 32,767 letters at most; and of notes. */
+/* Limits of a cell (Excel allows 32,767 characters), of the number of remarks
+ * and of the length of one. */
 enum { MOST_CELL = 100 * 1000, MOST_NOTES = 20, MOST_NOTE = 400 };
 
 struct sheets
@@ -103,7 +105,8 @@ sheets_end_sheet(struct sheets *g)
 	g->sheet[g->n++] = sheet;
 }
 
-/* Takes ownership of the cell's text.  False if it is empty. */
+/* Adds a cell, if there is room, and takes ownership of its text.  Returns
+ * false if the text is empty. */
 static bool
 sheets_put_cell(struct sheets *g, struct cell cell)
 {
@@ -129,7 +132,7 @@ sheets_put_text(struct sheets *g, struct cell where, const char *text)
 {
 	if (g->too_big == NULL && strlen(text) > MOST_CELL)
 		g->too_big = tr("more than 100 kB of text in a cell");
-	if (g->too_big != NULL) /* the rest is not worth looking at */
+	if (g->too_big != NULL) /* this sheet will be skipped */
 		return true;
 	FREED char *line = encoding_to_nfc(text);
 	char *to = line;
@@ -147,7 +150,7 @@ sheets_put_text(struct sheets *g, struct cell where, const char *text)
 	return sheets_put_cell(g, where);
 }
 
-/* Returns 97.5 for 0.975, without the error in the last bit. */
+/* Returns 97.5 for 0.975, without an error in the last bit. */
 static double
 fraction_to_percent(double value)
 {

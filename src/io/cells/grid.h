@@ -6,8 +6,9 @@
 #include "io/cells/sheet.h"
 
 /* The non-empty sheets of a workbook.  note: remarks for the user ("sheet Log
- * is not read: ..."), or "".  A sheet beyond `most` is skipped, because a
- * workbook may contain a plant's log beside the sieves. */
+ * is not read: ..."), or "".  n_note: how many remarks there were, including
+ * those left out of note.  A sheet larger than `most` is skipped, not a fault,
+ * because a workbook may contain a plant's log beside the sieves. */
 struct sheets {
 	const char *path; /* borrowed, as errors is */
 	struct sheet_limits most;
@@ -18,45 +19,46 @@ struct sheets {
 	size_t n_note;
 	struct sheet *now;   /* the sheet being read */
 	const char *too_big; /* why `now` is skipped, or NULL */
-	size_t bytes;        /* of the texts of `now` */
+	size_t bytes;        /* total length of the texts in `now` */
 	bool unsolved;       /* `now` has formulas without results */
-	bool hidden;         /* it has hidden rows or columns, which are read */
+	/* `now` has hidden rows or columns, read too */
+	bool hidden;
 };
 
 struct sheets sheets_new(
     const char *path, struct sheet_limits most, struct error_list *errors);
 
-/* Frees the sheets that no caller has taken over. */
+/* Frees the sheets and the note.  Not called if they have been moved
+ * elsewhere. */
 void sheets_clear(struct sheets *grid);
 
-/* Begin and end a sheet.  Cells can be added only within a sheet. */
+/* Begin and end a sheet.  Cells can be added only in between. */
 void sheets_begin_sheet(struct sheets *grid, const char *name);
 void sheets_end_sheet(struct sheets *grid);
 
-/* Adds a cell to the sheet, at the line and column set in `where`.  Ignores an
- * empty cell and returns false.  The text becomes one line without spaces at
- * its ends, with composed letters.  A sheet with more than 100 kB in a cell is
- * skipped. */
+/* Adds a text to the current sheet, at the line and column of `where`.  It
+ * becomes one line, without spaces at its ends, with composed letters
+ * (encoding.h).  Returns false, and adds nothing, if it is empty.  More than
+ * 100 kB in a cell makes the sheet be skipped. */
 bool sheets_put_text(struct sheets *grid, struct cell where, const char *text);
 
-/* Adds a number as its cell shows it.  unit: "%" if the cell shows a hundred
- * times the value, another unit, or "". */
+/* Adds a number.  unit: what its cell shows after it, or "".  With "%", the
+ * cell shows a hundred times the value, and that is what is added. */
 bool sheets_put_number(
     struct sheets *grid, struct cell where, double value, const char *unit);
 bool sheets_put_date(struct sheets *grid, struct cell where, const char *text);
 
-/* Adds a formula without a result.  The formula becomes the text of the
- * cell. */
+/* Adds a formula that has no result.  The cell's text is the formula itself. */
 bool sheets_put_formula(
     struct sheets *grid, struct cell where, const char *formula);
 
-/* sheets_note adds a remark on the workbook.  After 20 remarks it only counts
- * them; sheets_note_omitted_count adds that count at the end. */
+/* sheets_note adds a remark on the workbook.  From the 21st on, remarks are
+ * only counted; sheets_note_omitted_count adds their number at the end. */
 void sheets_note(struct sheets *grid, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void sheets_note_omitted_count(struct sheets *grid);
 
-/* Adds the remark that the workbook has more than `most` sheets. */
+/* Adds the remark that sheets beyond the first `most` are not read. */
 void sheets_note_more_sheets(struct sheets *grid, int most);
 
 #endif

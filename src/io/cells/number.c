@@ -25,8 +25,8 @@ number_thousands_separator_bytes(const char *s)
 	return 0;
 }
 
-/* Copies a text without separators of thousands, and without blanks that do not
- * break at its ends: 1 010,5 becomes 1010,5.  False for a text too long to be a
+/* Copies a text without thousands separators, and without no-break spaces at
+ * its ends: 1 010,5 becomes 1010,5.  Returns false for a text too long to be a
  * number. */
 static bool
 copy_without_thousands_blanks(const char *s, char copy[static LONGEST])
@@ -47,8 +47,9 @@ copy_without_thousands_blanks(const char *s, char copy[static LONGEST])
 	return true;
 }
 
-/* Returns the only sign that must be decimal in a number; '?' if it may
- * separate thousands as well (1,250); NUL if there is none, or no number. */
+/* Returns the decimal sign of the number that a text begins with: '?' if the
+ * sign may also separate thousands (1,250); NUL if there is no sign, or no
+ * number. */
 static char
 decimal_sign_of_text(const char *s)
 {
@@ -57,7 +58,7 @@ decimal_sign_of_text(const char *s)
 		return '\0';
 	const char *p = copy + strspn(copy, "<>+- ");
 	size_t n = strspn(p, "0123456789.,");
-	/* Units may follow, other numbers may not. */
+	/* A unit may follow, another number may not. */
 	if (n == 0 || p[n + strcspn(p + n, "0123456789.,")] != '\0')
 		return '\0';
 	size_t signs = 0, last = n;
@@ -74,7 +75,7 @@ decimal_sign_of_text(const char *s)
 		return '\0';
 	if (both)
 		return p[last];
-	if (signs > 1) /* 1.234.567; dates and versions say nothing */
+	if (signs > 1) /* 1.234.567; not dates, versions */
 		return after == 3 && last > 4 && last < 8 &&
 			       p[last - 4] == p[last]
 			   ? (p[last] == '.' ? ',' : '.')
@@ -90,7 +91,7 @@ number_is_ambiguous(const struct sheet *sheet, struct cell cell)
 	       decimal_sign_of_text(cell.text) == '?';
 }
 
-/* Removes the other sign where it separates thousands.  False if it stands
+/* Removes `sign` where it separates thousands.  Returns false if it occurs
  * elsewhere. */
 static bool
 remove_thousands_sign(char *s, char sign)
@@ -126,7 +127,8 @@ parse_number_text(const struct sheet *sheet, const char *text, double *value)
 	return text_parse_number(copy, value);
 }
 
-/* Reads "97,5 %", a share, or "42 g", a mass; AS_NONE if it is neither. */
+/* Reads a percentage, "97,5 %", or a mass, "42 g".  Returns AS_NONE if it is
+ * neither. */
 static enum cell_value
 parse_number_with_unit(
     const struct sheet *sheet, const char *text, double *value)
@@ -167,7 +169,7 @@ is_mark_for_missing(const char *text)
 	return false;
 }
 
-/* True for a word that means too little to weigh. */
+/* True for a word that means an amount too small to weigh. */
 static bool
 is_word_for_trace(const char *text)
 {
@@ -233,7 +235,7 @@ number_choose_decimal_sign(struct sheet *sheet)
 				sheet->open = cell;
 		}
 	sheet->decimal = points > commas ? '.' : points < commas ? ',' : first;
-	/* Who separates cells by commas has decimal points. */
+	/* If commas separate the cells, points are decimal. */
 	if (sheet->decimal == '\0' && sheet->separator == ',')
 		sheet->decimal = '.';
 	if (sheet->decimal != '\0')

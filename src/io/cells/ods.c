@@ -1,5 +1,6 @@
-/* Reads content.xml of an .ods file in one pass: styles, only for whether a
- * sheet is shown, then sheets with rows of cells, which may be repeated.
+/* Reads content.xml of an .ods file in one pass.  Styles come first, and tell
+ * which sheets are hidden; then come the sheets, with rows of cells.  Rows and
+ * cells may be repeated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/ods.h"
 
@@ -12,11 +13,13 @@
 #include "base/xalloc.h"
 #include "io/cells/xml.h"
 
-/* Cells and rows that are repeated with something in them; beyond that a sheet
- * is too large in any case. */
+/* MOST_REPEATS: for rows and cells that are not empty; a sheet with more
+ * repeats is too large in any case. */
 enum { MOST_REPEATS = 5000, MOST_TABLES = 1000 };
 
-/* value: as its type tells, else NULL.  said: what people see. */
+/* A cell.  value: from the attribute that belongs to its type, or NULL.  said:
+ * the text that people see.  failed: its formula gave an error.  paragraphs: it
+ * has at least one. */
 struct content {
 	char *type, *value, *formula;
 	struct xml_text said;
@@ -25,17 +28,18 @@ struct content {
 
 struct reading {
 	struct sheets *grid;
-	char *style; /* of sheets, that is being read, or NULL */
+	char *style; /* the style of sheets being read, or NULL */
 	size_t n_table, n_hidden;
-	char **hidden; /* styles of sheets that are not shown */
-	/* How deep in the sheet, 0: in none; in its cell, its paragraphs. */
+	char **hidden; /* styles whose sheets are hidden */
+	/* How deep the parser is inside a sheet, a cell and its paragraphs; 0
+	 * is outside. */
 	int table, cell, paragraph;
-	int skip; /* how deep in something that is no content of the cell */
+	int skip; /* how deep inside something that is not a cell's content */
 	bool visible;
 	struct cell at;
-	size_t rows, cells; /* how often the row, the cell stands there */
+	size_t rows, cells; /* how often the row, the cell is repeated */
 	struct content content;
-	/* Of a row that is repeated. */
+	/* The cells of this row. */
 	size_t n_kept;
 	struct kept {
 		int column;
@@ -142,8 +146,8 @@ ods_begin_cell(struct reading *r, const char *const *attribute)
 	    attribute, "table:1.0 number-columns-repeated", 1);
 }
 
-/* Begins an element within a cell.  Only paragraphs belong to its text, not
- * notes, shapes and readings. */
+/* Begins an element within a cell.  Only paragraphs are part of the text that
+ * the cell shows; notes, shapes and readings (ruby) are not. */
 static void
 begin_element_in_cell(
     struct reading *r, const char *name, const char *const *attribute)
@@ -208,7 +212,7 @@ ods_add_text(void *data, const char *text, size_t n)
 		xml_text_add(&r->content.said, text, n);
 }
 
-/* Puts "PT10H15M00S" as 10:15. */
+/* Puts "PT10H15M00S" into the sheet as 10:15. */
 static bool
 put_duration_as_time(struct sheets *grid, struct cell at, const char *value)
 {
@@ -222,8 +226,8 @@ put_duration_as_time(struct sheets *grid, struct cell at, const char *value)
 	return sheets_put_date(grid, at, text);
 }
 
-/* Puts a date, without seconds if they are zero, as Excel's workbooks have
- * it. */
+/* Puts a date into the sheet as .xlsx files have it: without seconds if they
+ * are zero, and without time at midnight. */
 static bool
 put_date_without_zero_time(
     struct sheets *grid, struct cell at, const char *value)
@@ -239,7 +243,8 @@ put_date_without_zero_time(
 	return sheets_put_date(grid, at, text);
 }
 
-/* Returns "m/s" for a cell that shows "69 m/s"; "" if there is no unit. */
+/* Copies to unit what follows the number in a cell's text: "m/s" for a cell
+ * that shows "69 m/s", or "". */
 static void
 copy_unit_after_number(const char *said, char unit[static 16])
 {
@@ -252,7 +257,7 @@ copy_unit_after_number(const char *said, char unit[static 16])
 	    unit, 16, "%s", n > 0 && word && strlen(rest) < 16 ? rest : "");
 }
 
-/* Puts a cell.  False if it is empty. */
+/* Puts a cell into the sheet.  Returns false if it is empty. */
 static bool
 put_cell_content(struct sheets *grid, struct cell at, const struct content *c)
 {
@@ -288,7 +293,7 @@ put_cell_content(struct sheets *grid, struct cell at, const struct content *c)
 	return sheets_put_text(grid, at, said);
 }
 
-/* Keeps the cell until its row ends; most cells are empty. */
+/* Keeps the cell until its row ends, unless it is empty, as most are. */
 static void
 ods_end_cell(struct reading *r)
 {
@@ -304,7 +309,8 @@ ods_end_cell(struct reading *r)
 		r->at.column += (int)r->cells;
 }
 
-/* Puts a cell as often as it is repeated in a line.  False if it is empty. */
+/* Puts a cell into a line as often as it is repeated.  Returns false if it is
+ * empty. */
 static bool
 put_repeated_cell(const struct reading *r, const struct kept *kept, int line)
 {

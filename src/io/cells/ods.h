@@ -6,8 +6,8 @@
 #include "io/cells/archive.h"
 #include "io/cells/grid.h"
 
-/* Reads all visible sheets.  Returns NULL, or a description of the fault, which
- * the caller frees. */
+/* Reads all visible sheets into the grid.  Returns NULL, or a description of
+ * the fault, which the caller frees. */
 char *ods_read(struct archive *archive, struct sheets *grid);
 
 #endif

@@ -1,5 +1,5 @@
-/* Splits the text of a CSV file into a grid of cells, by its own parser,
- * because no library records the columns of cells.
+/* Splits the text of a CSV file into a grid of cells.  It has a parser of its
+ * own, because no library records the columns at which cells begin.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/sheet.h"
 
@@ -15,7 +15,7 @@
 #include "base/xalloc.h"
 #include "io/cells/fixed_width.h"
 
-/* A sheet has a few kB; the limits keep time and memory small when the file is
+/* A sheet has a few kB.  The limits keep time and memory small if the file is
  * something else. */
 enum {
 	MOST_CELLS = 256,
@@ -32,7 +32,8 @@ is_fault_later_in_file(const struct error *a, const struct error *b)
 	       (a->line == b->line && a->column > b->column);
 }
 
-/* Returns the place of a new fault, in order among those of the same file. */
+/* Makes room for a new fault, in order among those of the same file, and
+ * returns its place. */
 static struct error *
 insert_fault_in_order(struct sheet *sheet, const struct error *e)
 {
@@ -130,8 +131,9 @@ sheet_skip_blanks(struct cursor *c, char separator)
 		move_to_next_character(c);
 }
 
-/* Whether a text is within quotes after its ith character, as it was before
- * that: a quote outside quotes behind a digit is the inches of 3/4". */
+/* True if a text is within quotes after its ith character.  before: whether it
+ * was before that character.  A quote that follows a digit outside quotes means
+ * inches, as in 3/4". */
 static bool
 is_in_quotes_after(const char *text, size_t i, bool before)
 {
@@ -139,8 +141,8 @@ is_in_quotes_after(const char *text, size_t i, bool before)
 	return text[i] == '"' && !inches ? !before : before;
 }
 
-/* Moves from the opening quote to after the closing one.  False if it is
- * missing. */
+/* Moves from the opening quote past the closing one.  Returns false if there is
+ * none. */
 static bool
 skip_quoted_text(struct cursor *c)
 {
@@ -156,8 +158,8 @@ skip_quoted_text(struct cursor *c)
 	return true;
 }
 
-/* Moves to the separator or the end of the line.  A misplaced quote is a fault,
- * but for the inches of 3/4". */
+/* Moves to the separator or the end of the line.  Reports a misplaced quote,
+ * unless it means inches, as in 3/4". */
 static bool
 skip_to_end_of_cell(struct sheet *sheet, struct cursor *c, int line)
 {
@@ -186,7 +188,7 @@ skip_to_end_of_cell(struct sheet *sheet, struct cursor *c, int line)
 	return true;
 }
 
-/* Takes ownership of the text. */
+/* Adds a cell, which takes ownership of the text. */
 static void
 append_cell_to_row(struct row *row, char *text, int column)
 {
@@ -195,7 +197,7 @@ append_cell_to_row(struct row *row, char *text, int column)
 	    (struct cell){.text = text, .line = row->line, .column = column};
 }
 
-/* Adds the cell from its first character to before `end`. */
+/* Adds the cell whose text runs from `from` to before `end`. */
 static void
 sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 {
@@ -246,8 +248,8 @@ cell_limit_of_sheet(const struct sheet *sheet)
 				     : sheet->most.rows * MOST_CELLS;
 }
 
-/* Adds a row, unless it is empty.  False if the limits show that this is no
- * sheet. */
+/* Adds a row, unless it is empty.  Returns false, with a fault, if the file is
+ * too large for a sheet. */
 static bool
 sheet_add_row(struct sheet *sheet, const char *line, int number)
 {
@@ -282,8 +284,9 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 	return false;
 }
 
-/* Adds a line: comments are kept apart for the reader of the sheet; "sep=;",
- * which some spreadsheets put first, is skipped. */
+/* Adds a line as a row or, if it starts with #, as a comment, which the reader
+ * of the sheet may look at.  Skips "sep=;", which some spreadsheets write in
+ * the first line. */
 static bool
 sheet_add_row_or_comment(struct sheet *sheet, const char *line, int number)
 {
@@ -333,9 +336,9 @@ sheet_turn_comment_into_row(struct sheet *sheet, size_t i)
 	sheet->row[last] = row;
 }
 
-/* Returns the length of a line.  Line ends within quotes become spaces; a quote
- * that is not closed within some lines ends with its own line and is reported
- * later. */
+/* Returns the length of a line, in which line ends within quotes become spaces,
+ * and their number in *ends.  A quote that is not closed within 40 lines ends
+ * with its own line, and is reported later. */
 static size_t
 join_quoted_lines(char *text, int *ends)
 {
@@ -360,7 +363,7 @@ join_quoted_lines(char *text, int *ends)
 	return n;
 }
 
-/* Splits a text into lines in place, each ended with a NUL. */
+/* Splits a text into lines in place, ends each with a NUL, and adds them. */
 static void
 split_text_into_lines(struct sheet *sheet, char *text)
 {
@@ -384,7 +387,7 @@ static bool
 is_line_of_numbers(const char *line, char separator)
 {
 	const char stop[] = {separator, '\r', '\n', '\0'};
-	/* With units and spaces that do not break. */
+	/* Including units and no-break spaces. */
 	const char *digits = "\" +-.,0123456789eEg%\xC2\xA0\xE2\x80\xAF\x89";
 	const char *sieve = "\" +-.,0123456789eE#NOno/inch\xC2\xBA\xB0\xA0";
 	size_t n = strcspn(line, stop);
@@ -407,9 +410,10 @@ has_sign_outside_quotes(const char *line, char sign)
 	return false;
 }
 
-/* Returns the sign that separates the numbers in most lines; if there are no
- * such lines, the sign that most lines contain, because decimal commas may
- * outnumber the semicolons between cells. */
+/* Returns the sign that separates cells: the semicolon or tab if half of the
+ * lines contain it, else the sign that separates numbers in most lines or, if
+ * there are no lines of numbers, the sign that most lines contain.  Counting
+ * signs instead would fail where decimal commas outnumber the semicolons. */
 static char
 find_cell_separator(const char *text, struct error_list *errors)
 {
@@ -428,7 +432,8 @@ find_cell_separator(const char *text, struct error_list *errors)
 			lines[i] += has_sign_outside_quotes(p, SIGNS[i]);
 		}
 	}
-	/* Neither stands in numbers: in half of the lines it separates. */
+	/* Numbers contain neither semicolons nor tabs, so half of the lines are
+	 * enough. */
 	for (size_t i = 0; i < 2; i++)
 		if (2 * lines[i] >= filled && lines[i] > 0)
 			return SIGNS[i];
@@ -489,12 +494,13 @@ sheet_new_empty(const char *path, const char *name, struct sheet_limits most,
 	return sheet;
 }
 
-/* Returns the number of rows up to and including that of a line. */
+/* Returns the number of rows up to and including line `line`. */
 static size_t
 count_rows_to_line(const struct sheet *sheet, int line)
 {
 	size_t n = 0, end = sheet->n_row;
-	if (end > 0 && sheet->row[end - 1].line <= line) /* as they come */
+	/* added in order, as most are */
+	if (end > 0 && sheet->row[end - 1].line <= line)
 		return end;
 	while (n < end) {
 		size_t middle = n + (end - n) / 2;
@@ -517,7 +523,7 @@ sheet_has_room_for_cell(const struct sheet *sheet, struct cell cell)
 	       rows <= cell_limit_of_sheet(sheet) / wide;
 }
 
-/* Returns the row of a line, inserting a new one if there is none. */
+/* Returns the row of a line; inserts one if there is none. */
 static struct row *
 find_or_insert_row(struct sheet *sheet, int line)
 {
@@ -563,7 +569,7 @@ sheet_finish_rows(struct sheet *sheet)
 	size_t n = 0;
 	for (size_t i = 0; i < sheet->n_row; i++) {
 		struct row row = sheet->row[i];
-		/* A key whose value was left empty. */
+		/* A key whose value is empty still needs two cells. */
 		if (row.n_all == 1)
 			append_cell_to_row(&row, xstrdup(""), row.end++);
 		if (row.n == 0) {

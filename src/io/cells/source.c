@@ -15,8 +15,8 @@
 #include "io/cells/textfile.h"
 #include "io/cells/xlsx.h"
 
-/* A sieve sheet has some dozen lines, a long table some for each of its
- * samples, a log one for each minute of months. */
+/* A sieve sheet has some dozen lines; a long table has some dozen for each
+ * sample, and a log one for each minute of several months. */
 static const struct sheet_limits SITE = {20000, SOURCE_MOST_CELLS},
 				 LOG = {.rows = 200000};
 
@@ -28,8 +28,8 @@ begins_with_bytes(const char *bytes, size_t n, const char *with)
 	return n >= strlen(with) && memcmp(bytes, with, strlen(with)) == 0;
 }
 
-/* True for workbooks, including old ones and those with a password.  An empty
- * archive begins with its end, a split one with PK78. */
+/* True for workbooks, including .xls and those with a password.  An empty zip
+ * archive begins with PK\5\6, a split one with PK\7\8. */
 static bool
 is_workbook_content(const char *bytes, size_t n)
 {
@@ -123,8 +123,8 @@ read_archive_to_grid(struct archive *archive, struct sheets *grid)
 	return wrong == NULL && grid->n > 0;
 }
 
-/* Reads an .xlsx, .xlsm or .ods file, recognised by its content.  False with
- * one fault if it is of another kind, damaged, encrypted or without content. */
+/* Reads an .xlsx, .xlsm or .ods file, recognised by its content.  Returns false
+ * with one fault if it is of another kind, damaged, encrypted or empty. */
 static bool
 read_workbook_to_grid(const char *bytes, size_t n, struct sheets *grid)
 {

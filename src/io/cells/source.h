@@ -5,26 +5,27 @@
 
 #include "io/cells/sheet.h"
 
-/* sheet [n]: the only sheet of a text, or the visible sheets of a workbook.
- * note: how the file was read ("read as Windows-1252"), or "". */
+/* sheet [n]: the only sheet of a text file, or the visible sheets of a
+ * workbook.  note: how the file was read ("read as Windows-1252"), or "".
+ * text: the text file, which its sheet borrows; NULL for a workbook. */
 struct source {
 	size_t n;
 	struct sheet **sheet;
 	char *note, *text;
 };
 
-/* The largest sheet that source_read_sheets accepts, see struct sheet_limits.
- */
+/* The size of the largest sheet that source_read_sheets accepts, as member
+ * cells of struct sheet_limits. */
 enum { SOURCE_MOST_CELLS = 2000 * 256 };
 
-/* Reads a file.  errors: as for site_read; the sheets continue to add to it.
- * Returns false after a fault that leaves nothing to read.  The caller always
- * frees *source. */
+/* Reads a file.  Faults are added to errors, to which the sheets keep a pointer
+ * and may add later.  Returns false after a fault that leaves nothing to read.
+ * The caller frees *source in either case. */
 bool source_read_sheets(
     const char *path, struct error_list *errors, struct source *source);
 
-/* As source_read_sheets, but for a text in memory.  path: its name in faults.
- */
+/* As source_read_sheets, but for a text in memory.  path: what faults call
+ * it. */
 bool source_read_from_memory(const char *path, const char *text,
     struct error_list *errors, struct source *source);
 

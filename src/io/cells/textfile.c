@@ -18,7 +18,7 @@
 #include "io/cells/encoding.h"
 #include "io/fs/shipped.h"
 
-/* Returns the offset of the first control character, NUL among them, or n. */
+/* Returns the offset of the first control character, such as NUL, or n. */
 static size_t
 first_control_character(const char *text, size_t n)
 {
@@ -111,8 +111,9 @@ textfile_decode(const char *path, const char *bytes, size_t n,
 	return text;
 }
 
-/* Reads to the end, or to more than `most` bytes, in growing pieces, because a
- * pipe does not know its size.  NULL with errno set if the system refuses. */
+/* Reads to the end, or until there are more than `most` bytes, in growing
+ * pieces, because the size of a pipe is not known.  Returns NULL with errno set
+ * if the system refuses. */
 static char *
 read_bytes_to_end(FILE *file, size_t most, size_t *n)
 {
@@ -166,7 +167,7 @@ is_null_device(const struct stat *about)
 	       about->st_rdev == null.st_rdev;
 }
 
-/* True if there is something to read, or the end of the file. */
+/* Returns true if there is something to read, or the end of the file. */
 static bool
 wait_for_input(int fd, const char **why)
 {
@@ -183,7 +184,7 @@ textfile_open(const char *path, const char **why)
 {
 	struct stat about;
 	FILE *file = NULL;
-	/* A pipe would be waited for here, for ever and in silence. */
+	/* Without O_NONBLOCK, open would wait for a pipe's writer for ever. */
 	int fd = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
 	bool good = fd >= 0 && fstat(fd, &about) == 0;
 	if (good && S_ISDIR(about.st_mode)) {

@@ -7,10 +7,10 @@
 
 #include "base/error.h"
 
-/* Opens a file or a pipe for reading.  It waits for the writer of a pipe for at
- * most a minute, or until a signal.  Returns NULL, with the reason in *why, if
- * the file cannot be opened or is a device other than /dev/null, which may have
- * no end. */
+/* Opens a file or a pipe for reading.  Waits at most a minute, or until a
+ * signal, for something to be written to a pipe.  Returns NULL, with the reason
+ * in *why, if the file cannot be opened or is a device other than /dev/null,
+ * since a device may have no end. */
 FILE *textfile_open(const char *path, const char **why);
 
 /* Returns what to do about a file that cannot be read.  The caller frees it. */
@@ -23,14 +23,15 @@ char *textfile_read_bytes(
     const char *path, size_t *n, struct error_list *errors);
 
 /* Returns the bytes as UTF-8 with composed letters (encoding.h), without a byte
- * order mark; the caller frees the text.  note: what to check if the encoding
- * was guessed, or "".  Returns NULL with one fault if the bytes are not text or
- * are blank. */
+ * order mark; the caller frees the text.  *note gets what to check if the
+ * encoding was guessed, else "".  Returns NULL with one fault if the bytes are
+ * not text or are blank. */
 char *textfile_decode(const char *path, const char *bytes, size_t n,
     const char **note, struct error_list *errors);
 
-/* Reads and decodes a file of at most that many bytes, without the note.
- * TEXTFILE_OWN: of a file that the program itself may have written. */
+/* Reads and decodes a file of at most `most` bytes, as textfile_read_bytes and
+ * textfile_decode do.  TEXTFILE_SHEET: a user's sheet; TEXTFILE_OWN: a file
+ * that the program itself may have written. */
 enum textfile_bytes {
 	TEXTFILE_SHEET = 10 * 1000 * 1000,
 	TEXTFILE_OWN = 1000 * 1000 * 1000
@@ -38,7 +39,7 @@ enum textfile_bytes {
 char *textfile_read(
     const char *path, enum textfile_bytes most, struct error_list *errors);
 
-/* Returns the joined lines, up to NULL, of a file built into the program.  The
+/* Joins the lines of a file built into the program; a NULL ends the list.  The
  * caller frees the text. */
 char *textfile_join_lines(const char *const *line);
 

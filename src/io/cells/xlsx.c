@@ -1,5 +1,5 @@
-/* Reads the parts of an .xlsx file in turn: the list of sheets, strings,
- * formats, then each sheet.
+/* Reads the parts of an .xlsx file one after the other: the list of sheets,
+ * strings, formats, then each sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/xlsx.h"
 
@@ -14,10 +14,11 @@
 #include "io/cells/cell_format.h"
 #include "io/cells/xml.h"
 
-/* Of these a file of 50 MB could hold millions. */
+/* A file of 50 MB could have millions of them. */
 enum { MOST_FORMATS = 100000, MOST_TABS = 1000 };
 
-/* Of the workbook: a sheet, a format by its number, a relation. */
+/* From the workbook: a sheet, with its relation and the part of the archive
+ * that it is in; and a format code by its number. */
 struct tab {
 	char *name, *id, *part;
 	bool hidden;
@@ -31,14 +32,14 @@ struct book {
 	struct archive *archive;
 	struct sheets *grid;
 	bool from_1904;
-	size_t n_tab, more; /* more: those left out */
+	size_t n_tab, more; /* more: how many sheets were left out */
 	struct tab *tab;
-	/* All shared strings, each with a NUL; where they begin. */
+	/* All shared strings, each with a NUL, and where each begins. */
 	struct xml_text string;
 	size_t n_start, *start;
 	size_t n_code, n_style;
 	struct code *code;
-	struct cell_format *style; /* of a cell, by its index */
+	struct cell_format *style; /* formats of cells, by style index */
 	bool in_styles, in_text;
 	int phonetic;
 };
@@ -77,8 +78,8 @@ begin_workbook_element(
 	    .hidden = state != NULL && strcmp(state, "visible") != 0};
 }
 
-/* xl/_rels/workbook.xml.rels: the part in which a sheet is.  Sheets that are
- * charts or macros have other types. */
+/* xl/_rels/workbook.xml.rels: the part that each sheet is in.  Charts and macro
+ * sheets have other types. */
 static void
 read_sheet_relation(void *data, const char *name, const char *const *attribute)
 {
@@ -96,8 +97,8 @@ read_sheet_relation(void *data, const char *name, const char *const *attribute)
 					     : xasprintf("xl/%s", target);
 }
 
-/* xl/sharedStrings.xml: <si><t>..</t></si>, or runs <r><t> in several fonts;
- * <rPh> has the pronunciation of Japanese. */
+/* xl/sharedStrings.xml: <si><t>..</t></si>, or runs <r><t> in several fonts.
+ * <rPh> has the pronunciation of Japanese text. */
 static void
 begin_shared_string(void *data, const char *name, const char *const *attribute)
 {
@@ -167,8 +168,9 @@ xlsx_end_style(void *data, const char *name)
 	b->in_styles = b->in_styles && strcmp(name, "cellXfs") != 0;
 }
 
-/* A sheet while its part is read: where the next cell is when it does not say
- * so itself, and what this one has told so far. */
+/* A sheet while its part is read.  at: the place of the current cell; a next
+ * cell without an address is beside it.  The rest is what has been read of the
+ * current cell. */
 struct reading {
 	struct book *book;
 	struct cell at;
@@ -249,8 +251,8 @@ append_sheet_text(void *data, const char *text, size_t n)
 		xml_text_add(&r->formula, text, n);
 }
 
-/* Puts a text in which Excel writes a carriage return as _x000D_, and _ before
- * an x as _x005F_. */
+/* Puts a text into the sheet.  Excel writes a carriage return as _x000D_, and
+ * the _ before an x as _x005F_. */
 static void
 xlsx_put_unescaped_text(struct reading *r, const char *text)
 {
@@ -303,7 +305,8 @@ put_shared_string(struct reading *r)
 		    tr("row %d has a text that is not there"), r->at.line);
 }
 
-/* Puts an ISO date of a strict workbook; one at midnight is a date alone. */
+/* Puts an ISO date, as strict workbooks have, into the sheet; at midnight
+ * without its time. */
 static void
 xlsx_put_iso_date(struct reading *r)
 {

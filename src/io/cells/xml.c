@@ -1,4 +1,4 @@
-/* Parses XML into events with expat, within limits.  expat gives names as
+/* Parses XML into events with expat, within limits.  expat returns names as
  * "namespace name".
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/xml.h"
@@ -13,7 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-/* OFTEN: events between two questions whether to stop. */
+/* OFTEN: the number of events between two checks for an interrupt. */
 enum {
 	MOST_DEPTH = 100,
 	MOST_ATTRIBUTES = 1000,
@@ -46,9 +46,10 @@ stop_parsing_if_interrupted(struct reading *r)
 		xml_stop_with_fault(r, tr("interrupted"));
 }
 
-/* Refuses elements with many or long namespaces.  A namespace is copied into
- * each name within it, which would take too long for a million of long ones.
- * Here attributes are as written. */
+/* Refuses elements with many attributes or a long namespace.  expat copies the
+ * namespace into each name within it, which would take too long for a million
+ * names.  Called by a first parser that does not expand names, so attributes
+ * are as written. */
 static void XMLCALL
 refuse_long_namespaces(
     void *data, const XML_Char *name, const XML_Char **attribute)
@@ -119,7 +120,8 @@ refuse_doctype(void *data, const XML_Char *name, const XML_Char *system,
 	xml_stop_with_fault(data, tr("it has a document type"));
 }
 
-/* Returns a description of the fault, or NULL. */
+/* Runs the parser and frees it.  Returns a description of the fault, or
+ * NULL. */
 static char *
 run_xml_parser(struct reading *r, XML_Parser parser,
     XML_StartElementHandler begin, const char *bytes, size_t n)
@@ -129,8 +131,8 @@ run_xml_parser(struct reading *r, XML_Parser parser,
 	XML_SetStartElementHandler(parser, begin);
 	XML_SetStartDoctypeDeclHandler(parser, refuse_doctype);
 	char *wrong = NULL;
-	/* At once: a long name in pieces is looked at from its start for each
-	 * of them. */
+	/* The whole document at once: in pieces, expat would scan a long name
+	 * from its start again for each piece. */
 	if (XML_Parse(parser, bytes, (int)n, 1) != XML_STATUS_OK)
 		wrong = xasprintf(tr("%s in line %lu"),
 		    r->wrong != NULL
@@ -150,7 +152,7 @@ xml_parse_document(const char *bytes, size_t n, const struct xml_events *events,
 	    &r, XML_ParserCreate(NULL), refuse_long_namespaces, bytes, n);
 	if (r.wrong != NULL)
 		return wrong;
-	free(wrong); /* and told again, with what else there is */
+	free(wrong); /* the second parser reports it again */
 	XML_Parser parser = XML_ParserCreateNS(NULL, ' ');
 	XML_SetEndElementHandler(parser, xml_on_element_end);
 	if (events->text != NULL)

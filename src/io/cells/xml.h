@@ -9,9 +9,9 @@
 #include "base/error.h"
 #include "io/cells/archive.h"
 
-/* begin, end: called for an element, with its name without a prefix.  text:
+/* begin, end: called for an element, with its name without the prefix.  text:
  * called with n bytes of UTF-8, possibly only part of the text between two
- * tags.  Both may be NULL, but not begin. */
+ * tags.  end and text may be NULL. */
 struct xml_events {
 	void (*begin)(
 	    void *data, const char *name, const char *const *attribute);
@@ -19,30 +19,32 @@ struct xml_events {
 	void (*text)(void *data, const char *text, size_t n);
 };
 
-/* Parses a document of n bytes.  Returns NULL, or a description of the fault,
- * which the caller frees: the document is not well-formed, nests elements more
- * than 100 deep, has more than 1000 attributes on an element or a namespace of
- * more than 200 letters, or has a document type, whose entities could expand
- * beyond the document; or error_should_stop(errors) is true. */
+/* Parses a document of n bytes.  Returns NULL if all went well, or a
+ * description of the fault, which the caller frees: the document is not
+ * well-formed, nests elements more than 100 deep, has more than 1000 attributes
+ * on an element or a namespace of more than 200 bytes, or has a document type,
+ * because entities could expand without limit; or error_should_stop(errors)
+ * became true. */
 char *xml_parse_document(const char *bytes, size_t n,
     const struct xml_events *events, void *data, struct error_list *errors);
 
-/* As xml_parse_document, for a part of an archive, which is named in the
- * description of a fault. */
+/* As xml_parse_document, for a part of an archive; the description of a fault
+ * names the part. */
 char *xml_parse_archive_part(struct archive *archive, const char *name,
     const struct xml_events *events, void *data, struct error_list *errors);
 
-/* Returns the value of an attribute, or NULL.  name: "r" without a namespace,
- * or "office:1.0 value" with the end of the namespace. */
+/* Returns the value of an attribute, or NULL.  name: "r" for one without a
+ * namespace, or "office:1.0 value", where "office:1.0" is the end of the
+ * namespace. */
 const char *xml_attribute(const char *const *attribute, const char *name);
 
-/* Returns an attribute as a whole number up to two million, more than any
- * spreadsheet program has rows, or `other` if it is missing or not such a
- * number. */
+/* Returns an attribute as a whole number, or `other` if it is missing or not a
+ * whole number.  A number above two million, more rows than any spreadsheet
+ * program has, is returned as two million. */
 size_t xml_attribute_as_integer(
     const char *const *attribute, const char *name, size_t other);
 
-/* A text built up in pieces; text is NULL before the first. */
+/* A text built up in pieces; text is NULL before the first piece. */
 struct xml_text {
 	char *text;
 	size_t n, room;

@@ -1,4 +1,4 @@
-/* Collects and renders answers.  Commands determine their content.
+/* Collects and prints answers.  Commands decide what is in them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/answer.h"
 
@@ -16,7 +16,7 @@
 #include "base/xalloc.h"
 #include "core/psd/site.h"
 
-/* Columns of a terminal, less two for its edges. */
+/* The columns of a terminal, less one for its edge. */
 enum { SCREEN = 79 };
 
 /* spare [n_column]: see answer_column_to_spare. */
@@ -27,12 +27,13 @@ struct table {
 	struct answer_cell *cell; /* row by row */
 };
 
-/* table: what people see; what programs do, if it has columns. */
+/* table[0]: what people see; table[1]: what programs see, if it has columns.
+ * filled: the one to which cells are added. */
 struct answer {
 	char *command, *title, *site, *provenance, *missing;
-	bool names_sites; /* in its own fields */
-	int room;         /* columns for a table */
-	bool across;      /* a table with more rows than columns is turned */
+	bool names_sites; /* its fields name the sites */
+	int room;         /* width for a table, in columns */
+	bool across;      /* transpose a table with more rows than columns */
 	struct table table[2], *filled;
 	json_t *fields; /* an object */
 	size_t n_sentence;
@@ -202,7 +203,7 @@ add_text_cell(struct answer *a, char *text)
 	answer_add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
 }
 
-/* decimals -1: as many digits as needed; sign: with + too. */
+/* decimals: -1 for as many digits as needed; sign: print + too. */
 static void
 answer_add_number(struct answer *a, double value, int decimals, bool sign)
 {
@@ -213,7 +214,7 @@ answer_add_number(struct answer *a, double value, int decimals, bool sign)
 		text = xasprintf("%.6g", value);
 	else
 		text = xasprintf(sign ? "%+.*f" : "%.*f", decimals, value);
-	/* What rounds to nothing has no sign. */
+	/* A number that rounds to 0 has no sign. */
 	if ((text[0] == '-' || text[0] == '+') &&
 	    strpbrk(text, "123456789") == NULL && isfinite(value))
 		memmove(text, text + 1, strlen(text));
@@ -286,7 +287,7 @@ answer_count_rows(const struct answer *a)
 	return count_table_rows(a->filled);
 }
 
-/* Takes ownership of the text. */
+/* Adds a sentence, which takes ownership of the text. */
 static void
 add_sentence(struct answer *a, enum answer_grade grade, char *text)
 {
@@ -330,7 +331,8 @@ answer_fields(struct answer *a)
 	return (struct fields *)(void *)a->fields;
 }
 
-/* Takes ownership of the value.  key: NULL in a list. */
+/* Puts a value, of which it takes ownership, into an object or a list.  key:
+ * NULL for a list. */
 static struct fields *
 put_json_value(struct fields *fields, const char *key, json_t *value)
 {
@@ -342,8 +344,8 @@ put_json_value(struct fields *fields, const char *key, json_t *value)
 	return (struct fields *)(void *)value;
 }
 
-/* Returns a text in UTF-8; the name of a file that is not UTF-8 as it is
- * shown. */
+/* Returns a text as JSON.  A text that is not UTF-8, such as the name of a
+ * file, is escaped as people see it. */
 static json_t *
 json_of_text(const char *text)
 {
@@ -472,8 +474,8 @@ answer_has_fields(const struct answer *a)
 	return json_object_size(a->fields) > 0;
 }
 
-/* Finds the number at a path; the contents of a list count under its own
- * name. */
+/* Finds the largest number at a path.  The items of a list are found under the
+ * name of the list. */
 static void
 find_number_at_path(const json_t *in, const char *path, double *value)
 {
@@ -527,7 +529,7 @@ answer_view(const struct answer *a)
 	    .sentence = a->sentence};
 }
 
-/* True if there is no table: the sentences are the answer. */
+/* True if there is no table, so that the sentences are the answer. */
 static bool
 is_sentences_only(const struct answer *a)
 {
@@ -542,7 +544,7 @@ length_of_first_clause(const char *provenance)
 	return strcspn(provenance, ";");
 }
 
-/* Prints the columns before those of the answer. */
+/* Prints the cells before those of the answer. */
 static void
 print_csv_command_and_site(const struct answer *a, char separator, FILE *out)
 {
@@ -576,7 +578,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	size_t rows = told ? a->n_sentence : count_table_rows(t);
 	if (t->n_column == 0 && !told)
 		return 0;
-	fputs(tr("command"), out);
+	fputs("command", out);
 	if (a->site != NULL)
 		fprintf(out, "%csite%cprovenance", separator, separator);
 	for (size_t c = 0; c < t->n_column; c++)
@@ -653,18 +655,19 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 	return count_table_rows(t);
 }
 
-/* How a table is set, found once for all rows: width and number [n_column].
- * wraps: the last column holds sentences, wrapped from indent on.  room: of the
- * screen, in columns.  gap: blanks between two columns.  even: the blocks of a
- * table that is too wide are alike.  n_key: the first columns, which tell rows
- * apart and stand in each block. */
+/* The layout of a table, found once for all rows.  width, number [n_column]:
+ * the width of each column, and whether it has numbers.  wraps: the last column
+ * has sentences, which are wrapped from column `indent` on.  room: the columns
+ * of the screen.  gap: the spaces between two columns.  even: a table that is
+ * too wide is divided evenly.  n_key: how many of the first columns tell rows
+ * apart; they are repeated in each block. */
 struct form {
 	int *width, indent, room, gap;
 	bool *number, wraps, even;
 	size_t n_key;
 };
 
-/* True for a column of numbers, which is set flush right. */
+/* True for a column of numbers, which is aligned to the right. */
 static bool
 is_number_column(const struct table *t, size_t column)
 {
@@ -705,8 +708,8 @@ rows_begin_alike(
 	return true;
 }
 
-/* Returns how many columns tell neighbouring rows apart; 1 if none do, or if
- * they would fill half the screen. */
+/* Returns how many of the first columns tell neighbouring rows apart; 1 if they
+ * do not, or if they would fill half the screen. */
 static size_t
 count_key_columns(const struct table *t, const struct form *f)
 {
@@ -720,8 +723,8 @@ count_key_columns(const struct table *t, const struct form *f)
 	return n < t->n_column && 2 * width <= f->room ? n : 1;
 }
 
-/* Wraps the last column if it holds sentences that would not fit the screen
- * after the other columns.  A single column is not wrapped, as it may be
+/* Finds the layout of a table.  The last column is wrapped if it would not fit
+ * the screen beside the others.  A single column is not wrapped, as it may be
  * copied. */
 static struct form
 lay_out_table_columns(const struct table *t, int room)
@@ -748,7 +751,7 @@ free_column_widths(struct form *f)
 	free(f->number);
 }
 
-/* Prints the last cell of a row, wrapped under itself. */
+/* Prints the last cell of a row, wrapped within its own column. */
 static void
 print_wrapped_cell(const char *text, int indent, int room, FILE *out)
 {
@@ -761,8 +764,8 @@ print_wrapped_cell(const char *text, int indent, int room, FILE *out)
 		fprintf(out, "%.*s", (int)n - indent - 1, lines + indent);
 }
 
-/* Columns of a table that stand side by side: those that tell rows apart and
- * those from `from` to before `to`. */
+/* Columns of a table that are printed side by side: the key columns, and those
+ * from `from` to before `to`. */
 struct block {
 	size_t from, to;
 };
@@ -773,8 +776,8 @@ next_column_of_block(const struct form *f, struct block b, size_t column)
 	return column + 1 == f->n_key ? b.from : column + 1;
 }
 
-/* Returns as many columns as fit the screen.  A table that ends in sentences
- * wraps them instead. */
+/* Returns a block of as many columns as fit the screen.  If the table wraps its
+ * last column, all of them do. */
 static struct block
 columns_that_fit_screen(
     const struct table *t, const struct form *f, size_t from)
@@ -798,8 +801,8 @@ columns_that_fit_screen(
 	return b;
 }
 
-/* Returns the column where the last cell is wrapped in a block that ends with
- * it; 0 if it is not. */
+/* Returns the column of the screen from which the last cell of a row is
+ * wrapped, in the block that ends with it; 0 if it is not wrapped. */
 static int
 wrap_start_column(const struct table *t, const struct form *f, struct block b)
 {
@@ -850,7 +853,7 @@ print_trimmed_row(const struct table *t, const struct form *f, size_t row,
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
 
-/* True unless a sentence is about a column that was left out. */
+/* Returns false if a sentence is about a column that was left out. */
 static bool
 is_about_what_is_shown(
     const struct table *t, const struct answer_sentence *said)
@@ -879,8 +882,8 @@ copy_converted_sentences(char *(*way)(const char *), const struct answer *a,
 	}
 }
 
-/* Adds the columns that are shown, all if that is NULL, and a sentence that
- * names the others. */
+/* Copies the columns that are shown (all if `shown` is NULL), and adds a
+ * sentence that names the others. */
 static void
 copy_columns(char *(*way)(const char *), const struct table *from,
     const bool *shown, struct answer *copy)
@@ -904,9 +907,9 @@ copy_columns(char *(*way)(const char *), const struct table *from,
 		    copy, "left out, as there is no room: %s", left_out);
 }
 
-/* Returns what people see, with all texts converted: as shown, or as markdown.
- * Only the first clause of the provenance is included.  shown: see
- * copy_columns. */
+/* Returns a copy with what people see, all texts converted by `way`: to what a
+ * screen shows, or to markdown.  Only the first clause of the provenance is
+ * included.  shown: see copy_columns. */
 static struct answer *
 copy_with_converted_texts(
     char *(*way)(const char *), const struct answer *a, const bool *shown)
@@ -932,7 +935,8 @@ answer_copy_escaped(const struct answer *a)
 	return copy_with_converted_texts(text_with_control_escaped, a, NULL);
 }
 
-/* Exchanges the headings and the first column. */
+/* Turns the first column into the headings, and the headings into the first
+ * column. */
 static void
 answer_transpose(struct answer *a)
 {
@@ -955,9 +959,9 @@ answer_transpose(struct answer *a)
 	free_table(&from);
 }
 
-/* Chooses the columns that are shown [n_column]: all but those that can be
- * spared and for which there is no room, *room, which grows if the others need
- * more. */
+/* Returns which columns are shown [n_column]: all but those that can be spared
+ * and do not fit into *room, which is enlarged if the others need more.  The
+ * caller frees it. */
 static bool *
 choose_columns(const struct table *t, int *room)
 {
@@ -1015,8 +1019,8 @@ print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 	return rows;
 }
 
-/* True if markdown or HTML could take the character for markup.  An underscore
- * within a word such as f_mat is none. */
+/* True if markdown or HTML could take the character at p for markup.  An
+ * underscore within a word, as in f_mat, is not. */
 static bool
 is_markup_character(const char *text, const char *p)
 {
@@ -1033,7 +1037,7 @@ is_markup_character(const char *text, const char *p)
 	return strchr(p == text ? "|*[]`\\~$#" : "|*[]`\\~$", *p) != NULL;
 }
 
-/* Escapes a text for markdown: signs with backslashes, those of HTML as
+/* Escapes a text for markdown: its markup with backslashes, that of HTML with
  * entities. */
 static char *
 escape_for_markdown(const char *text)

@@ -1,5 +1,5 @@
 /* Writes answers as a workbook with libxlsxwriter, to an unnamed temporary
- * file, because that library can only write files.
+ * file, because that library can write only files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/book.h"
 
@@ -16,21 +16,21 @@
 #include "base/xalloc.h"
 #include "io/cells/number.h"
 
-/* Decimals that have a format of their own. */
+/* Numbers with up to DECIMALS - 1 decimals have a format of their own. */
 enum { DECIMALS = 5 };
 
 struct book {
 	lxw_workbook *workbook;
-	int fd; /* of the file that it is written to */
+	int fd; /* the file that it is written to */
 	lxw_format *title, *head, *remark, *warning, *light[3];
 	lxw_format *number[DECIMALS];
 	size_t sheets;
 	bool has_site;
 	size_t n_about;
-	char **about; /* keys and values */
+	char **about; /* [2 n_about] keys and values in turn */
 };
 
-/* Opens a file without a name; -1 on failure. */
+/* Opens a temporary file without a name.  Returns -1 on failure. */
 static int
 open_temporary_file(void)
 {
@@ -96,7 +96,8 @@ book_new(struct error *error)
 	FREED char *parts = xstrdup(folder != NULL ? folder : "");
 	lxw_workbook_options options = {
 	    .tmpdir = parts[0] != '\0' ? parts : NULL};
-	/* 2000-01-01, in place of the hour at which it is written. */
+	/* 2000-01-01 instead of now, so that the same results give the same
+	 * bytes. */
 	lxw_doc_properties properties = {.created = 946684800};
 	b->fd = fd;
 	b->workbook = workbook_new_opt(path, &options);
@@ -143,20 +144,20 @@ book_add_page(struct book *b, const char *name)
 	return page;
 }
 
-/* Writes a text, even if it begins with =. */
+/* Writes a text as a text, even if it begins with =. */
 static void
 book_put_text(const struct page *p, lxw_col_t column, const char *text,
     lxw_format *format)
 {
-	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
+	enum { MOST = 32000 }; /* bytes; Excel allows 32,767 characters */
 	FREED char *shown = text_with_control_escaped(text);
 	shown[text_bytes_within(shown, MOST)] = '\0';
 	if (shown[0] != '\0')
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
 }
 
-/* True if the text in a column of sieves is a sieve: there are also rows such
- * as "P80 mm". */
+/* True if a cell in a column of sieves is a sieve, whose size *value gets.
+ * There are also rows such as "P80 mm". */
 static bool
 book_is_sieve_column(
     const char *head, const struct answer_cell *cell, double *value)
@@ -172,7 +173,7 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 	double value = cell->number;
 	char text[32];
 	bool fixed = cell->decimals >= 0 && cell->decimals < DECIMALS;
-	/* 93.6 as in csv, and not 93.59999999999999. */
+	/* As in csv: 93.6, not 93.59999999999999. */
 	if (!cell->is_text && isfinite(value))
 		text_parse_number(
 		    text_shortest_exact_number(value, text), &value);
@@ -184,8 +185,7 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 		book_put_text(p, column, cell->text, NULL);
 }
 
-/* Makes a column as wide as its numbers; text of the last column may extend to
- * the right. */
+/* Makes a column as wide as its longest cell or heading, within limits. */
 static void
 set_column_width(
     const struct page *p, const struct answer_view *v, lxw_col_t column)
@@ -218,8 +218,8 @@ count_sieve_rows(const struct answer_view *v)
 	return n;
 }
 
-/* True if a column is a curve: numbers from 0 to 100 that are not
- * differences. */
+/* True if a column is a curve: its numbers are from 0 to 100, and its heading
+ * does not say that they are differences or the like. */
 static bool
 is_answer_column_a_curve(
     const struct answer_view *v, size_t rows, size_t column)
@@ -239,7 +239,7 @@ is_answer_column_a_curve(
 	return n > 1;
 }
 
-/* Extends the axis to the powers of ten around the sieves. */
+/* Sets the axis of sizes to the powers of ten around the sieves. */
 static void
 set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 {
@@ -260,7 +260,7 @@ set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 	chart_axis_set_crossing(chart->x_axis, from);
 }
 
-/* Draws passing over sieve size, beside the table that begins at the page's
+/* Draws passing over sieve size beside the table that begins at the page's
  * row. */
 static void
 book_add_chart(
@@ -312,7 +312,8 @@ book_put_table(struct book *b, struct page *p, const struct answer_view *v)
 	p->row++;
 }
 
-/* Returns the format of "trust: amber: ..", in its colour, or NULL. */
+/* Returns the format, in its colour, of a sentence such as "trust: amber: ..";
+ * NULL for others. */
 static lxw_format *
 format_of_trust_light(const struct book *b, const char *text)
 {
@@ -368,8 +369,8 @@ book_add_answer(struct book *b, const struct answer *answer)
 	return v.n_column > 0 ? v.n_row : v.n_sentence;
 }
 
-/* Writes a row of a text.  Headings, which are more than a key and a value, are
- * bold. */
+/* Writes a row of a text.  A row of three or more cells that does not begin
+ * with a number has headings, which are bold. */
 static void
 book_put_text_row(struct book *b, struct page *p, const struct row *row)
 {

@@ -9,14 +9,14 @@
 /* A workbook being written.  The same results give the same bytes. */
 struct book;
 
-/* Makes an empty workbook.  Returns NULL, with an error of kind ERROR_SYSTEM,
- * if no temporary file can be made; that file has no name and disappears when
- * the program ends. */
+/* Makes an empty workbook.  Its file is a temporary one without a name, which
+ * disappears when the program ends.  Returns NULL, with an error of kind
+ * ERROR_SYSTEM, if that cannot be made. */
 struct book *book_new(struct error *error);
-void book_free(struct book *book); /* NULL is allowed */
+void book_free(struct book *book); /* may be NULL */
 
-/* Adds a sheet with an answer as people see it: numbers are exact, shown with
- * the same decimals, and the passings in a table of sieves are also drawn as
+/* Adds a sheet with an answer as people see it.  Numbers are exact, but shown
+ * with the same decimals; the passings in a table of sieves are also drawn as
  * curves.  Returns the number of rows in its table. */
 size_t book_add_answer(struct book *book, const struct answer *answer);
 
@@ -24,11 +24,11 @@ size_t book_add_answer(struct book *book, const struct answer *answer);
  * its comments. */
 void book_add_text(struct book *book, const char *name, const char *text);
 
-/* Adds a line to the last sheet, "About". */
+/* Adds a line to the sheet "About", which comes last. */
 void book_add_about_line(struct book *book, const char *key, const char *value);
 
-/* book_count_sheets returns the number of sheets other than "About";
- * book_has_site is true if one is about a site. */
+/* book_count_sheets returns the number of sheets without "About"; book_has_site
+ * is true if an answer in the book is about a site. */
 size_t book_count_sheets(const struct book *book);
 bool book_has_site(const struct book *book);
 

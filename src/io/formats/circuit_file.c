@@ -19,16 +19,17 @@ static const char *const WORDS[UNIT_KINDS] = {
 
 enum { STREAMS = CIRCUIT_UNITS * UNIT_STREAMS * 2 };
 
-/* A file that is read.  made, used [STREAMS]: where a stream comes from and
- * goes to; row [CIRCUIT_UNITS]: where a unit stands; text of what is not there
- * is NULL. */
+/* A file being read.  made, used [STREAMS]: the cells that name a stream as the
+ * output and as the input of a unit; text is NULL if there is none.  row
+ * [CIRCUIT_UNITS]: the first cell of each unit. */
 struct reading_circuit {
 	struct sheet *sheet;
 	struct circuit *circuit;
 	struct cell *made, *used, row[CIRCUIT_UNITS];
 };
 
-/* Returns a part of a cell, whose text it may shorten. */
+/* Returns the part of a cell from `from` on, trimmed in place, as a cell of its
+ * own. */
 static struct cell
 cell_with_part_of_text(
     const struct reading_circuit *r, struct cell cell, char *from)
@@ -74,7 +75,7 @@ add_stream_of_unit(
 	}
 }
 
-/* Adds the streams of "new + back". */
+/* Adds the input streams that a cell names, "new + back". */
 static void
 add_input_streams(
     struct reading_circuit *r, struct unit *unit, struct cell cell)
@@ -111,8 +112,9 @@ parse_number_between(struct reading_circuit *r, struct cell cell,
 	    r->sheet, cell, wanted, "see tipspeed-circuit(5) for units");
 }
 
-/* What may follow a row as key=value, of which kinds; scale: how many of the
- * words' unit its member's is. */
+/* The settings, key=value, that may follow a row, and the kind of unit that
+ * each is for.  The number is divided by `scale` (100 for per cent) and stored
+ * at `offset`. */
 static const struct key {
 	const char *word, *wanted;
 	enum unit_kind kind;
@@ -141,7 +143,7 @@ static const char *const HINTS[UNIT_KINDS] = {
     [UNIT_STOCKPILE] = N_(
 	"write: stockpile,FROM + FROM,NAME, optionally followed by price=12")};
 
-/* Reads one cell key=value. */
+/* Reads one cell, key=value. */
 static void
 parse_circuit_unit_key(
     struct reading_circuit *r, struct unit *unit, struct cell cell)
@@ -213,8 +215,8 @@ parse_circuit_screen_row(
 	parse_circuit_unit_keys(r, unit, row, 5);
 }
 
-/* Reads "a=60", or "a", which takes the rest.  Returns its share; NAN for the
- * rest. */
+/* Reads an output of a split, "a=60", or "a", which takes the rest.  Returns
+ * its share, 0..1, or NAN for the rest. */
 static double
 parse_share_of_split(
     struct reading_circuit *r, struct unit *unit, struct cell cell)
@@ -354,7 +356,8 @@ check_one_feed(struct reading_circuit *r)
 		    "out");
 }
 
-/* Checks the paths, if all streams have a source and a destination. */
+/* Checks that all units are fed and no stream is trapped in a loop.  All
+ * streams must have a source and a destination. */
 static void
 check_paths_through_circuit(struct reading_circuit *r)
 {

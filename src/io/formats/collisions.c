@@ -1,5 +1,5 @@
-/* Reads collision energies row by row, by their column headings, into a
- * spectrum; writes spectra that read back.
+/* Reads collision energies row by row into a spectrum, finding the columns by
+ * their headings.  Writes spectra, which it can read back.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/collisions.h"
 
@@ -14,7 +14,7 @@
 #include "io/cells/textfile.h"
 #include "io/sitefile/units.h"
 
-/* What a column has. */
+/* What a column contains. */
 enum column {
 	COL_RADIUS,
 	COL_SIZE,
@@ -34,8 +34,8 @@ enum column {
 	COL_NONE = COLUMNS_ALL
 };
 
-/* Heads in small letters and underscores, without their unit; scale: to SI
- * where the head has no unit. */
+/* Headings of columns, as heading_to_identifier returns them, without a
+ * unit. */
 static const struct {
 	const char *head;
 	enum column column;
@@ -57,7 +57,8 @@ static const struct {
     {"impacts_energy", COL_IMPACTS_J}, {"first", COL_FIRST_KG},
     {"first_energy", COL_FIRST_J}};
 
-/* Units at the end of a head, of energies what they make of the column. */
+/* Units at the end of a heading, the SI unit that each becomes, and the
+ * factor. */
 static const struct {
 	const char *end, *unit;
 	double scale;
@@ -76,14 +77,16 @@ struct reading {
 	FILE *in;
 	char *line;
 	size_t length, room;
-	int at;                          /* line */
-	char separator;                  /* ' ': any blanks */
-	size_t n;                        /* columns */
-	enum column column[FIELDS_MOST]; /* of each field */
+	int at;                          /* number of the line */
+	char separator;                  /* ' ' means any blanks */
+	size_t n;                        /* number of columns */
+	enum column column[FIELDS_MOST]; /* what each field is */
 	double scale[FIELDS_MOST];
 	bool has[COLUMNS_ALL + 1];
-	double value[COLUMNS_ALL + 1]; /* of the row */
-	uint64_t told;                 /* impacts that the file says it has */
+	/* the numbers of this row, in SI units */
+	double value[COLUMNS_ALL + 1];
+	/* the number of impacts that the file states */
+	uint64_t told;
 };
 
 static bool
@@ -94,7 +97,8 @@ fault(
 	    tr(what), tr(hint));
 }
 
-/* Reads the next line, without its end.  False at the end of the file. */
+/* Reads the next line, without its line end.  Returns false at the end of the
+ * file. */
 static bool
 read_next_line(struct reading *r)
 {
@@ -119,8 +123,8 @@ end_of_word_with_unit(char *begin)
 	return *unit == '(' || *unit == '[' ? unit + strcspn(unit, " \t") : end;
 }
 
-/* Returns the field at *s, ended by a NUL, and moves *s after it; NULL after
- * the last. */
+/* Returns the field at *s, which it ends with a NUL, and moves *s past it; NULL
+ * after the last. */
 static char *
 next_field_of_line(const struct reading *r, char **s)
 {
@@ -176,7 +180,8 @@ find_column_by_identifier(const char *plain)
 	return COL_NONE;
 }
 
-/* Returns what a column has according to its heading.  *scale: to SI. */
+/* Returns what a column contains according to its heading.  *scale gets the
+ * factor to SI units. */
 static enum column
 collisions_column_of_heading(const char *head, double *scale)
 {
@@ -241,8 +246,8 @@ columns_give_energy(const struct reading *r)
 	       (r->has[COL_LOW] && r->has[COL_HIGH] && r->has[COL_WEIGHT]);
 }
 
-/* True if the columns yield energies; otherwise reports what is missing, and
- * how to name them. */
+/* True if the columns give energies; otherwise reports what is missing and how
+ * to name the columns. */
 static bool
 check_columns_give_energy(struct reading *r)
 {
@@ -259,7 +264,8 @@ check_columns_give_energy(struct reading *r)
 	       "columns=-,velocity_m_s,mass_kg"));
 }
 
-/* Reads the numbers of a row.  False with a fault if a field is none. */
+/* Reads the numbers of a row.  Returns false with a fault if a field is missing
+ * or not a number. */
 static bool
 read_numbers_of_row(struct reading *r)
 {
@@ -272,8 +278,8 @@ read_numbers_of_row(struct reading *r)
 			    "is the file complete?");
 		if (r->column[i] == COL_NONE)
 			continue;
-		/* Safe: the program sets LC_CTYPE only, as in
-		 * text_parse_number. */
+		/* strtod reads a decimal point, as the program sets only
+		 * LC_CTYPE; see text_parse_number. */
 		double v = strtod(field, &end);
 		if (end == field || end[strspn(end, " ")] != '\0' ||
 		    !isfinite(v))
@@ -342,8 +348,8 @@ add_impact_of_row(struct reading *r)
 	return true;
 }
 
-/* Reads a line "speed_m_s,69" or "provenance,.." above the headings.  False if
- * it is none. */
+/* Reads a line such as "speed_m_s,69" or "provenance,.." above the headings.
+ * Returns false if it is not such a line. */
 static bool
 read_line_above_headings(struct reading *r)
 {
@@ -377,7 +383,8 @@ guess_separator_of_line(const char *line)
 				   : ' ';
 }
 
-/* Reads the headings of a table, or what a list without them has. */
+/* Reads the headings of a table; for a list without headings, takes its columns
+ * from the options.  *is_row: the line has numbers, not headings. */
 static bool
 read_table_headings(struct reading *r, bool *is_row)
 {

@@ -1,4 +1,4 @@
-/* Reads collision energies: exports, lists, spectra.
+/* Reads and writes collision energies: exports of DEM programs, lists, spectra.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FORMATS_COLLISIONS_H
 #define TIPSPEED_IO_FORMATS_COLLISIONS_H
@@ -10,10 +10,10 @@
 #include "core/model/spectrum.h"
 
 /* How to read a file.  columns: the names of its columns in order, separated by
- * commas; NULL: as in the file.  unit: of a list without headings, "J/kg" or
- * "m/s"; NULL: not given.  speed: m/s, NAN if not given.  progress: called now
- * and then with the rows so far; it returns false to stop reading; may be
- * NULL. */
+ * commas; NULL to take those in the file.  unit: the unit of a list without
+ * headings, "J/kg" or "m/s"; NULL if not given.  speed: m/s, NAN if not given.
+ * progress: called now and then with the number of rows so far; it returns
+ * false to stop reading; may be NULL. */
 struct collisions_way {
 	const char *columns, *unit;
 	double speed;
@@ -21,9 +21,9 @@ struct collisions_way {
 	void *data;
 };
 
-/* The content of a file.  form: its kind in words, a constant.  about: the
- * file's own description, or "".  rows: number of rows with numbers; impacts:
- * number of impacts on particles. */
+/* The content of a file.  form: its kind in words, not to be freed.  about: the
+ * file's own description, or "".  rows: the number of rows with numbers;
+ * impacts: the number of impacts on particles. */
 struct collisions {
 	struct spectrum *spectrum;
 	const char *form;
@@ -31,11 +31,11 @@ struct collisions {
 	uint64_t rows, impacts;
 };
 
-/* Reads a file row by row, in constant memory.  The columns are named by
- * headings or by `columns`: see HEADS in the .c.  A row is an impact; it may
- * also describe the particle or its first impact.
+/* Reads a file row by row, in constant memory.  Headings or way->columns name
+ * the columns: see HEADS in the .c.  A row is an impact; it may also describe
+ * the particle or its first impact.
  *
- * On failure, returns false and faults in errors; *c is then empty.  If
+ * On failure, returns false and adds faults to errors; *c is then empty.  If
  * progress stops the reading, there is one fault of kind ERROR_CHECK. */
 bool collisions_read(const char *path, const struct collisions_way *way,
     struct collisions *c, struct error_list *errors);

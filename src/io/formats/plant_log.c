@@ -1,5 +1,6 @@
-/* Reads a plant's log: finds the column of times first, then the others by
- * their headings.  Skips cells that are not numbers, which are common in logs.
+/* Reads a plant's log: finds the column of times first, then the other columns
+ * by their headings.  Skips cells that are not numbers, which are common in
+ * logs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/plant_log.h"
 
@@ -19,10 +20,10 @@
 
 const char *const LOG_UNITS[LOG_COLUMNS] = {"rpm", "m/s", "kW", "t/h"};
 
-/* The first rows tell what the columns are. */
+/* LOOKED_AT: how many rows are searched for dates and times. */
 enum { MOST_COLUMNS = 256, MOST_HEADS = 4, LOOKED_AT = 2000 };
 
-/* Words of heads, as text_fold_case_and_accents has them. */
+/* Words of headings, folded by text_fold_case_and_accents. */
 static const char
     POWER[] = "kw power effekt motoreffekt leistung motorleistung "
 	      "antriebsleistung wirkleistung puissance potencia potenza teho "
@@ -31,7 +32,7 @@ static const char
 	     "throughput tonnage kapacitet produktion durchsatz "
 	     "durchsatzleistung aufgabeleistung debit caudal vazao "
 	     "kapasiteetti kapasitet",
-    /* Of other machines, and of quantities that only look like these. */
+    /* Words for other machines, and for quantities that are not wanted. */
     OTHER[] =
 	"feeder matare syotin alimentador alimentateur aufgeber belt "
 	"band conveyor transportor forderband fan flakt screen sikt pump "
@@ -40,11 +41,13 @@ static const char
     TIMES[] = "time tid zeit datum date timestamp datetime zeitstempel "
 	      "tidpunkt uhrzeit fecha hora heure data aika pvm klockan";
 
-/* What a column of a log holds. */
+/* What a column of a log contains: an enum log_column, or one of these. */
 enum kind { NO_KIND = LOG_COLUMNS, TIME };
 
-/* A log on its way.  kind [n_column]: of each; date, clock: the columns of the
- * time, the same where it is one.  told: by number, from columns=. */
+/* A log being read.  first: the first row of data.  date, clock: the columns of
+ * dates and times of day, which may be the same.  kind, head [n_column]: what
+ * each column contains, and its heading.  told: the user gave the columns.
+ * zone: some times have a time zone. */
 struct reading {
 	const struct log_request *request;
 	struct error_list *errors;
@@ -96,7 +99,8 @@ read_date_or_time_at(
 }
 
 /* Finds the column with the most dates, the one with the most times of day
- * without a date, and the first row of data. */
+ * without a date, and the first row of data.  Returns false with a fault if
+ * there are none. */
 static bool
 find_time_columns(struct reading *r)
 {
@@ -143,7 +147,8 @@ find_time_columns(struct reading *r)
 	return true;
 }
 
-/* Returns the words above a column.  Lines with one cell are titles. */
+/* Returns the words above a column.  Lines with a single cell are left out, as
+ * they are titles. */
 static char *
 plant_log_column_heading(const struct reading *r, size_t c)
 {
@@ -161,7 +166,7 @@ plant_log_column_heading(const struct reading *r, size_t c)
 	return text;
 }
 
-/* Reads "1=time, 3=rpm, 4=kW". */
+/* Takes the kinds of columns from columns=, "1=time, 3=rpm, 4=kW". */
 static bool
 parse_column_choice(struct reading *r, const char *columns)
 {
@@ -191,8 +196,8 @@ parse_column_choice(struct reading *r, const char *columns)
 	return good;
 }
 
-/* Keeps the only column of a kind, or of those that name the rotor; several
- * that cannot be told apart are a fault. */
+/* If there are several columns of a kind, keeps the only one that names the
+ * rotor; without such a one, reports them. */
 static bool
 keep_only_column_of_kind(struct reading *r, unsigned kind)
 {
@@ -223,8 +228,8 @@ keep_only_column_of_kind(struct reading *r, unsigned kind)
 	    LOG_UNITS[kind]);
 }
 
-/* Finds the unit of a speed by its size: no rotor of a crusher has less than
- * 400 rpm, or more than 150 m/s at its tip. */
+/* Takes a speed without a unit for rpm if it is 400 or more on average, which
+ * no tip speed is, in m/s; otherwise reports it. */
 static bool
 guess_speed_unit_by_size(struct reading *r, size_t c)
 {
@@ -284,8 +289,8 @@ plant_log_find_column_kinds(struct reading *r)
 	return good;
 }
 
-/* Decides whether 5/3/2026 is in May or in March, by dates that are valid in
- * one order only. */
+/* Decides whether 5/3/2026 is in May or in March, by other dates that are valid
+ * in one order only. */
 static bool
 find_day_month_order(struct reading *r, bool *open)
 {
@@ -319,7 +324,7 @@ find_day_month_order(struct reading *r, bool *open)
 	    undecided.text, r->sheet->path);
 }
 
-/* Adds a row; several columns of a kind are added up. */
+/* Adds a row, with the sum of several columns of one kind. */
 static void
 add_log_row(struct reading *r, double time, const struct row *row)
 {
@@ -370,8 +375,8 @@ plant_log_read_rows(struct reading *r)
 	}
 }
 
-/* Reports numbers such as 1,250 if the sheet does not show what the comma
- * is. */
+/* Reports numbers such as 1,250, if the sheet does not show whether the comma
+ * is decimal. */
 static bool
 refuse_ambiguous_numbers(struct reading *r)
 {
@@ -407,7 +412,7 @@ describe_log_columns(struct reading *r)
 		xappend(&r->log->read_as, "%s", text);
 }
 
-/* Reads a sheet.  One without times is a fault. */
+/* Reads a sheet.  Returns false with a fault, also if it has no times. */
 static bool
 plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 {
@@ -484,7 +489,7 @@ plant_log_sort_rows(struct plant_log *log)
 	}
 }
 
-/* Returns the median, or NAN of none; sorts the values. */
+/* Returns the median, or NAN if n is 0.  Sorts the values. */
 static double
 plant_log_median(double *value, size_t n)
 {
@@ -494,7 +499,8 @@ plant_log_median(double *value, size_t n)
 	return (value[(n - 1) / 2] + value[n / 2]) / 2;
 }
 
-/* Computes what concerns all rows, and drops columns without numbers. */
+/* Sorts the rows, computes what concerns all of them, and drops columns without
+ * numbers. */
 static void
 sort_and_trim_plant_log(struct reading *r)
 {

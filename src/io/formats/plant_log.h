@@ -15,13 +15,13 @@ enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };
 
 extern const char *const LOG_UNITS[LOG_COLUMNS];
 
-/* Rows [n] in order of time, see datetime_seconds_since_1970.  value [n]: NAN
- * if the log has no number there; NULL: no such column.  apart: usual interval
- * between rows, s.  gap: longest interval, s; gap_from: its start.  passed:
- * number of rows skipped because their time could not be read.  read_as: "time
- * in column 1, rpm in 3"; assumed: the parts of read_as that the log does not
- * state, or
- * "". */
+/* A log.  time [n]: the time of each row, in order, as
+ * datetime_seconds_since_1970 returns it.  value [n]: NAN if the log has no
+ * number there; NULL if there is no such column.  apart: the usual interval
+ * between rows, s.  gap: the longest interval, s; gap_from: its start.  passed:
+ * the number of rows skipped because their time could not be read.  read_as:
+ * "time in column 1, rpm in 3"; assumed: the parts of it that the log does not
+ * state, or "". */
 struct plant_log {
 	char *path;
 	size_t n, passed;
@@ -33,7 +33,8 @@ struct plant_log {
 
 /* The files [n] to read as one log, and options.  columns: "1=time, 3=rpm,
  * 4=kW", or NULL.  sheet: the sheet of a workbook, or NULL.  decimal: the
- * decimal sign, or '\0'. */
+ * decimal sign, or '\0'.  order: how to read dates such as 5/3/2026, or
+ * DATETIME_OPEN. */
 struct log_request {
 	size_t n;
 	const char *const *path;
@@ -42,14 +43,14 @@ struct log_request {
 	enum datetime_order order;
 };
 
-/* Reads a log.  Returns NULL and faults if that fails; *open is set if only the
- * order of day and month is open. */
+/* Reads a log.  On failure, returns NULL and adds faults to errors; *open
+ * becomes true if only the order of day and month is unclear. */
 struct plant_log *plant_log_read(
     const struct log_request *request, struct error_list *errors, bool *open);
 void plant_log_free(struct plant_log *log);
 
-/* Medians and ranges of the rows from one time to another, inclusive; NAN if
- * there are no numbers. */
+/* The median and range of each column, and the number of rows, from one time to
+ * another, inclusive; NAN if there are no numbers. */
 struct log_window {
 	size_t n;
 	double median[LOG_COLUMNS], least[LOG_COLUMNS], most[LOG_COLUMNS];
@@ -57,7 +58,7 @@ struct log_window {
 struct log_window plant_log_summarise_window(
     const struct plant_log *log, double from, double to);
 
-/* Returns the row nearest to a time. */
+/* Returns the index of the row nearest to a time. */
 size_t plant_log_row_nearest_time(const struct plant_log *log, double time);
 
 #endif

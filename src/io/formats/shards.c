@@ -1,4 +1,4 @@
-/* Reads the parts of a divided run and checks that they belong together.
+/* Reads the parts of a divided run, and checks that they belong together.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/shards.h"
 
@@ -11,8 +11,9 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-/* What commands write: the second text of their rows, and the keys of the n
- * numbers; without keys these are the list "numbers". */
+/* What each command writes: the key of the second text in its rows, and the
+ * keys of their n numbers; without keys, the numbers are in the list
+ * "numbers". */
 static const struct kind {
 	const char *command, *text;
 	size_t n;
@@ -111,7 +112,7 @@ parts_read_file(const char *path, struct parts *parts, struct error *error)
 		*part = (struct part_file){.json = o, .path = path};
 		good = read_part_from_json(part, parts);
 	}
-	/* After the last there is nothing but its end of line. */
+	/* Only a line end may follow the last part. */
 	good = good && parts->n > before &&
 	       json_error_code(&about) == json_error_premature_end_of_input;
 	bool read = !ferror(in);

@@ -8,9 +8,9 @@
 
 #include "base/error.h"
 
-/* A row of a part: a site or one of its runs.  index: of the site among all;
- * order: of reading.  text: the remark or the source of the data; number: the
- * other columns, NAN if empty. */
+/* A row of a part: a site or one of its runs.  index: the index of the site
+ * among all sites; order: the order in which rows were read.  text: the remark,
+ * or the source of the data; number: the other columns, NAN if empty. */
 enum { PART_NUMBERS = 23 };
 struct part_row {
 	size_t index, order;
@@ -18,9 +18,10 @@ struct part_row {
 	double number[PART_NUMBERS];
 };
 
-/* A part, and the file from which it was read.  sites: digest of all loaded
- * sites.  left_out, each: from the answer of validate.  The texts, also those
- * of rows, are in the JSON; the path is the caller's. */
+/* A part, and the file it was read from.  number, of: I and N of part=I/N.
+ * loaded: the number of all loaded sites; sites: their digest.  left_out, each:
+ * from the answer of validate.  All texts, also those of rows, belong to json,
+ * except path, which is the caller's. */
 struct part_file {
 	struct json_t *json;
 	const char *path, *command, *sites, *version, *options;
@@ -33,14 +34,14 @@ struct parts {
 	struct part_row *row;
 };
 
-/* Adds the parts in a file, one per line. */
+/* Adds the parts in a file, one on each line. */
 bool parts_read_file(
     const char *path, struct parts *parts, struct error *error);
 void parts_free(struct parts *parts);
 
-/* True if the parts are complete, without duplicates, and have the same
- * version, options and sites.  Their rows are then in the order of all sites,
- * those of one site as they were written. */
+/* Returns true if the parts are complete, without duplicates, and have the same
+ * command, version, options and sites.  Then their rows are sorted in the order
+ * of the sites, and those of one site in the order in which they were read. */
 bool parts_check_and_sort(struct parts *parts, struct error *error);
 
 #endif

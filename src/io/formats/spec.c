@@ -42,7 +42,8 @@ read_spec_cut(struct spec *spec, struct sheet *sheet, struct cell value)
 		    "leave the line out for limits on the whole product");
 }
 
-/* Reads a key with its value.  False if it is unknown, as in a remark. */
+/* Reads a key with its value.  Returns false for an unknown key, as in a
+ * remark. */
 static bool
 spec_read_key(
     struct spec *spec, struct sheet *sheet, struct cell key, struct cell value)
@@ -73,9 +74,9 @@ read_spec_heading(
 	}
 }
 
-/* Reads the lines immediately above the table, which a value with numbers,
- * "cut,0/4", makes look like its headings.  False with a fault if one is
- * unknown. */
+/* Reads the keys in the lines immediately above the table, which look like its
+ * headings if a value has numbers, "cut,0/4".  Returns false with a fault if a
+ * key is unknown. */
 static bool
 read_keys_above_table(
     struct spec *spec, struct sheet *sheet, const struct table *t)
@@ -93,7 +94,8 @@ read_keys_above_table(
 	return true;
 }
 
-/* at: place of min_pct and max_pct in a row, 0 where there is none. */
+/* Finds the places of min_pct and max_pct in a row; at is 0 for one that is
+ * missing. */
 static void
 spec_find_limit_columns(const struct table *t, size_t at[static 2])
 {
@@ -116,8 +118,8 @@ spec_find_limit_columns(const struct table *t, size_t at[static 2])
 		    "write this line as size_mm,min_pct,max_pct");
 }
 
-/* Returns the limit of a row as passing; NAN if the cell is empty or has a
- * fault. */
+/* Returns the limit of a row as passing, 0..1; NAN if the cell is empty or has
+ * a fault. */
 static double
 parse_limit_of_row(const struct table *t, size_t row, size_t at)
 {
@@ -133,8 +135,8 @@ parse_limit_of_row(const struct table *t, size_t row, size_t at)
 	return NAN;
 }
 
-/* Checks that a limit does not rise from a sieve to the next finer one with a
- * limit. */
+/* Checks that a limit does not rise from one sieve to the next finer one that
+ * has a limit. */
 static void
 check_limits_fall(
     const struct table *t, const double *limit, size_t at, size_t at_most)

@@ -18,7 +18,7 @@
 #include "io/cells/textfile.h"
 #include "io/fs/file.h"
 
-/* Made from the two files at build time: their rows without the remarks. */
+/* The rows of the two files, without remarks, made at build time. */
 extern const char *const ENVELOPES_TEXT[], *const ENVELOPE_SCALARS_TEXT[];
 
 enum { MOST_ROWS = 1000 };
@@ -46,7 +46,8 @@ find_spec_by_name(const struct standards *all, const char *name)
 	return NULL;
 }
 
-/* Inserts a row, coarsest first; one on the same sieve is replaced. */
+/* Inserts a row in its place, coarsest first; replaces a row with the same
+ * sieve. */
 static void
 insert_limit_row(struct spec *spec, double size, double least, double most)
 {
@@ -68,7 +69,8 @@ insert_limit_row(struct spec *spec, double size, double least, double most)
 	spec->n += !there;
 }
 
-/* Returns the envelope that one with a name in brackets continues, or NULL. */
+/* Returns the envelope with this name less the brackets at its end, from which
+ * it takes its limits, or NULL. */
 static const struct spec *
 find_base_envelope(const struct standards *all, const char *name)
 {
@@ -99,8 +101,8 @@ add_envelope(struct standards *all, const char *standard, const char *name,
 	return spec;
 }
 
-/* Adds what a row's source says beyond that of the envelope's first row, with
- * its sieve: "0.15 mm: crushed stone sand: up to 20". */
+/* Adds what a row's source says in addition to that of the envelope's first
+ * row, with its sieve: "0.15 mm: crushed stone sand: up to 20". */
 static void
 add_source_remark(struct spec *spec, const char *source, double mm)
 {
@@ -148,7 +150,7 @@ standards_read_limit_row(
 	    .most = read_limit_cell(sheet, row, MOST)};
 }
 
-/* Reads a built-in table row by row, without its heading. */
+/* Reads the rows of a built-in table, without its heading. */
 static void
 standards_read_built_in_table(struct standards *all, const char *name,
     const char *const *line,
@@ -161,7 +163,7 @@ standards_read_built_in_table(struct standards *all, const char *name,
 	number_choose_decimal_sign(sheet);
 	for (size_t i = 1; i < sheet->n_row; i++)
 		read(all, sheet, &sheet->row[i]);
-	/* They are part of the program: the tests read all of them. */
+	/* These tables are part of the program, and tests read all of them. */
 	assert(sheet->n_fault == 0);
 	sheet_free(sheet);
 }
@@ -199,8 +201,8 @@ standards_free(struct standards *all)
 
 static const char BETWEEN[] = " :;,()";
 
-/* Looks for a word in a folded name: 0 if it is not there, 1 if a word of the
- * name begins with it, 2 if it is one. */
+/* Returns how well a word matches a folded name: 2 if it is a word of the name,
+ * 1 if it begins one, else 0. */
 static int
 score_word_match(const char *name, const char *word)
 {
@@ -216,7 +218,7 @@ score_word_match(const char *name, const char *word)
 	return best;
 }
 
-/* Returns the least result of score_word_match over all words. */
+/* Returns the smallest score_word_match of the words. */
 static int
 score_words_match(const char *name, const char *words)
 {
@@ -233,8 +235,8 @@ score_words_match(const char *name, const char *words)
 }
 
 /* True if the words are enough to mean the plain one of an envelope's variants:
- * a number of its standard, "C33", or all of its own name, "zone II"; but not
- * "ASTM" alone. */
+ * they contain a number, as that of its standard, "C33", or all of its own
+ * name, "zone II"; but not "ASTM" alone. */
 static bool
 do_words_mean_plain_variant(const struct spec *spec, const char *folded)
 {
@@ -243,7 +245,8 @@ do_words_mean_plain_variant(const struct spec *spec, const char *folded)
 		   2;
 }
 
-/* True if a name is another one, of `length` letters, or continues it. */
+/* True if a name is the same as another one, of `length` bytes, or begins with
+ * it and a space. */
 static bool
 standards_is_or_extends_name(const char *name, const char *other, size_t length)
 {
@@ -251,8 +254,8 @@ standards_is_or_extends_name(const char *name, const char *other, size_t length)
 	       (name[length] == '\0' || name[length] == ' ');
 }
 
-/* If the names of all those marked begin with the name of one of them, and the
- * words mean that one, keeps it alone.  Returns how many are left. */
+/* If all marked names begin with one of them, and the words mean that one,
+ * keeps only that.  Returns the number of marked names. */
 static size_t
 keep_only_base_envelope(
     const struct standards *all, const char *folded, bool *match, size_t n)
@@ -300,7 +303,7 @@ most_similar_envelope_name(const struct standards *all, const char *words)
 	for (size_t i = 0; i < all->n; i++) {
 		FREED char *name =
 		    text_fold_case_and_accents(all->spec[i]->name);
-		/* What was left out at its end is no mistake. */
+		/* Leaving out the end of a name is not a mistake. */
 		if (strlen(name) > strlen(folded))
 			name[strlen(folded)] = '\0';
 		size_t d = text_edit_distance(name, folded);

@@ -1,6 +1,6 @@
 /* A program holds a lock on its file, which tells others that it is running,
- * even where all have the same process number, as in containers.  A killed
- * program leaves no lock.
+ * even if all have the same process number, as in containers.  The lock of a
+ * killed program is gone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/fs/autosave_file.h"
 
@@ -18,12 +18,12 @@
 #include "io/fs/file.h"
 #include "io/fs/xdg.h"
 
-/* How many of other programs are left. */
+/* How many files of other runs are kept. */
 enum { MOST = 5 };
 
 struct autosave_file {
 	char *path; /* NULL: no file yet */
-	int fd;     /* open on it, with the lock; -1 */
+	int fd;     /* open on it, with the lock, or -1 */
 };
 
 static char *
@@ -67,8 +67,8 @@ autosave_file_remove(struct autosave_file *kept)
 	autosave_file_close(kept);
 }
 
-/* Reads about a file.  False for that of a running program, and for an empty
- * one. */
+/* Reads `about` and `when` of a file.  Returns false for the file of a running
+ * program, and for an empty one, which it removes. */
 static bool
 read_autosave_details(struct autosave_left *file)
 {
@@ -157,8 +157,8 @@ report_cannot_make(const char *what, int reason, struct error *error)
 	    error, ERROR_SYSTEM, what, 0, 0, "%s", strerror(reason));
 }
 
-/* Makes an empty file with a new name, for the user alone; it keeps its
- * permissions when it is replaced. */
+/* Makes an empty file with a new name, which only the user can read.  It keeps
+ * its permissions when it is replaced. */
 static bool
 make_autosave_file(struct autosave_file *kept, struct error *error)
 {

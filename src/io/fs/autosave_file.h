@@ -1,4 +1,4 @@
-/* Unsaved sessions: one script for each program run, in
+/* Unsaved sessions: a script for each run of the program, in
  * $XDG_STATE_HOME/tipspeed, by default in ~/.local/state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FS_AUTOSAVE_FILE_H
@@ -11,10 +11,10 @@
 
 #include "base/error.h"
 
-/* The file of this program run. */
+/* The file of this run of the program. */
 struct autosave_file;
 
-/* Makes no file yet, and cannot fail. */
+/* Does not make the file yet, and cannot fail. */
 struct autosave_file *autosave_file_new(void);
 
 /* Closes the file and keeps it; the next write makes another file. */
@@ -24,9 +24,9 @@ void autosave_file_close(struct autosave_file *kept);
 void autosave_file_free(struct autosave_file *kept);
 
 /* Replaces the content of the file with what `write` prints, entirely or not at
- * all.  The first call makes the file and removes all but the newest few left
- * by other runs.  On failure, returns false with an error of kind
- * ERROR_SYSTEM. */
+ * all.  The first call makes the file, and removes all but the newest five
+ * files of runs that have ended.  On failure, returns false with an error of
+ * kind ERROR_SYSTEM. */
 bool autosave_file_write(struct autosave_file *kept,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
@@ -34,16 +34,16 @@ bool autosave_file_write(struct autosave_file *kept,
 /* Removes the file, if there is one. */
 void autosave_file_remove(struct autosave_file *kept);
 
-/* A file left by a program run.  about: its first line, without "# "; when: the
- * time it was written. */
+/* A file that a run of the program has left.  about: its first line, without "#
+ * "; when: the time it was written. */
 struct autosave_left {
 	char *path, *about;
 	struct timespec when;
 };
 
-/* Returns the files of runs that have ended, newest first: [n].  Free with
- * autosave_left_free.  Removes empty files, left by programs killed at the
- * wrong moment. */
+/* Returns the files of runs that have ended, [n], newest first.  Free with
+ * autosave_left_free.  Removes empty files, left by programs that were killed
+ * at the wrong moment. */
 struct autosave_left *autosave_list_left_files(size_t *n);
 void autosave_left_free(struct autosave_left *file, size_t n);
 

@@ -1,9 +1,9 @@
-/* Temporary file, fsync, rename, fsync of the folder.
+/* A file is replaced by these steps: temporary file, fsync, rename, fsync of
+ * the folder.
  *
- * A temporary file is locked (flock) for as long as its writer lives, so
- * whoever finds one without a lock knows that its writer was killed, and
- * removes it.  Its name is random, because process numbers recur, especially in
- * containers.
+ * A temporary file is locked (flock) as long as its writer runs.  One without a
+ * lock belongs to a writer that was killed, and can be removed.  Its name is
+ * random, because process numbers recur, especially in containers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/fs/file.h"
 
@@ -40,15 +40,15 @@ file_name_without_folders(const char *path)
 	return slash != NULL ? slash + 1 : path;
 }
 
-/* Returns the folder of a path with its slash; "" for a name alone. */
+/* Returns the folder of a path, with its slash; "" if it has none. */
 static char *
 folder_of_path(const char *path)
 {
 	return xstrndup(path, (size_t)(file_name_without_folders(path) - path));
 }
 
-/* Returns where a symbolic link leads, relative to its own folder; NULL if path
- * is none. */
+/* Returns the path that a symbolic link points to, from the link's own folder;
+ * NULL if path is not a link. */
 static char *
 symlink_target(const char *path)
 {
@@ -63,11 +63,11 @@ symlink_target(const char *path)
 	return xasprintf("%s%s", folder, to);
 }
 
-/* Returns the file after all links; it need not exist. */
+/* Returns the file that a path leads to after all links; it need not exist. */
 static char *
 resolve_symlinks(const char *path)
 {
-	enum { MOST = 40 }; /* as the system follows */
+	enum { MOST = 40 }; /* as many as the system follows */
 	char *at = xstrdup(path), *next;
 	for (int i = 0; i < MOST && (next = symlink_target(at)) != NULL; i++) {
 		free(at);
@@ -101,8 +101,8 @@ sync_file(int fd)
 	return !failed;
 }
 
-/* Syncs a folder, without which the name of a file is not on the disk.  Some
- * file systems have nothing to sync there, and say EINVAL. */
+/* Syncs a folder, because the name of a new file is on disk only then.  Some
+ * file systems have nothing to sync there, and report EINVAL. */
 static bool
 sync_folder(const char *folder)
 {
@@ -145,8 +145,9 @@ remove_left_over_files(const char *folder)
 		closedir(dir);
 }
 
-/* Opens a new file with a name of its own, locked; -1 with errno.  Before it is
- * locked, another program may remove it as left over; then another is made. */
+/* Opens and locks a new file with a name of its own.  Returns -1 with errno on
+ * failure.  Another program may remove it as left over before it is locked;
+ * then it makes another one. */
 static int
 open_new_locked_file(const char *folder, mode_t rights, char **name)
 {
@@ -177,8 +178,8 @@ open_new_locked_file(const char *folder, mode_t rights, char **name)
 	}
 }
 
-/* Gives a file the owner and permissions of the one it replaces, as the umask
- * has changed them.  Only root can change the owner. */
+/* Gives a file the owner and the permissions of the one it replaces, which the
+ * umask may have changed.  Only root can change the owner. */
 static bool
 copy_owner_and_mode(int fd, const struct stat *old)
 {
@@ -191,7 +192,8 @@ copy_owner_and_mode(int fd, const struct stat *old)
 	return fchmod(fd, old->st_mode & 0777) == 0;
 }
 
-/* old: of the existing file, or NULL.  False with errno. */
+/* Writes a new file and renames it to path.  old: about the existing file, or
+ * NULL.  Returns false with errno on failure. */
 static bool
 write_and_rename(const char *path, const struct stat *old,
     enum file_rights rights, const char *bytes, size_t n)
@@ -200,7 +202,7 @@ write_and_rename(const char *path, const struct stat *old,
 	mode_t mode = old != NULL ? old->st_mode & 0777 : rights;
 	remove_left_over_files(folder);
 	int fd = open_new_locked_file(folder, mode, &name);
-	/* Renamed before it is closed: that gives the lock up. */
+	/* Renamed before it is closed, as closing gives up the lock. */
 	bool good = fd >= 0 && (old == NULL || copy_owner_and_mode(fd, old)) &&
 		    write_all_bytes(fd, bytes, n) && sync_file(fd);
 	bool renamed = good && rename(name, path) == 0;
@@ -220,7 +222,8 @@ write_and_rename(const char *path, const struct stat *old,
 	return good && renamed;
 }
 
-/* False, with errno, if the path cannot be a file. */
+/* Returns false with errno if the path is a folder or cannot be looked up.
+ * *there: it exists. */
 static bool
 stat_file_not_folder(const char *path, struct stat *about, bool *there)
 {
@@ -240,7 +243,7 @@ file_replace_contents(const char *path, enum file_rights rights,
 		return report_cannot_write(path, errno, error);
 	if (there && !S_ISREG(about.st_mode))
 		return file_append_bytes(path, rights, bytes, n, error);
-	/* A rename asks the folder only. */
+	/* A rename checks only the permissions of the folder. */
 	if (there && access(path, W_OK) != 0)
 		return report_cannot_write(path, errno, error);
 	FREED char *target = resolve_symlinks(path);
@@ -268,7 +271,7 @@ file_replace_by_output(const char *path, enum file_rights rights,
 		   : report_cannot_write(path, ENOMEM, error);
 }
 
-/* Appends to the open file.  What was written before a full disk is cut off
+/* Appends to an open file.  If the disk is full, what was written is cut off
  * again, unless somebody else has appended meanwhile. */
 static bool
 append_bytes_or_undo(int fd, const char *bytes, size_t n)

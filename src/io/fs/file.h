@@ -1,4 +1,4 @@
-/* Writing files: replacing them entirely or not at all, and appending to them.
+/* Writes files: replaces them entirely or not at all, and appends to them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FS_FILE_H
 #define TIPSPEED_IO_FS_FILE_H
@@ -13,36 +13,36 @@
  * own. */
 enum file_rights { FILE_SHARED = 0666, FILE_PRIVATE = 0600 };
 
-/* Replaces the contents of path with n bytes.  They are written to a new file
- * in the same folder, and that file is renamed to path only once all bytes are
- * on disk; a symbolic link is kept, and the file it points to is replaced.
- * Files other than regular ones (/dev/null, a FIFO) are written to directly.
+/* Replaces the contents of a file with n bytes.  These are written to a new
+ * file in the same folder, which is renamed to path only once all of them are
+ * on disk.  A symbolic link is kept, and the file it points to is replaced.  A
+ * path that is not a regular file (/dev/null, a FIFO) is written to directly.
  * On failure, returns false with an error of kind ERROR_SYSTEM and leaves the
  * old file untouched.  Only SIGKILL can leave the new file behind; the next
  * call in that folder removes it. */
 bool file_replace_contents(const char *path, enum file_rights rights,
     const char *bytes, size_t n, struct error *error);
 
-/* As file_replace_contents, with the output of write, collected in memory
- * first. */
+/* As file_replace_contents, with what `write` prints, which is collected in
+ * memory first. */
 bool file_replace_by_output(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
 
 /* Appends n bytes to a file, in one write if the system accepts them all.  On
- * failure, returns false with an error of kind ERROR_SYSTEM and leaves the file
- * as it was. */
+ * failure, returns false with an error of kind ERROR_SYSTEM, and leaves the
+ * file as it was. */
 bool file_append_bytes(const char *path, enum file_rights rights,
     const char *bytes, size_t n, struct error *error);
 
-/* Returns a path without its folders, borrowed. */
+/* Returns the part of a path after its folders; borrowed. */
 const char *file_name_without_folders(const char *path);
 
-/* True if a file's name ends as those of sheets do: .csv, .xlsx. */
+/* True if a file's name ends like that of a sheet: .csv, .xlsx and so on. */
 bool file_has_sheet_ending(const char *path);
 
 /* Returns false, with the error that writing would give, if path is a folder or
- * not writable.  Called before a long calibration. */
+ * not writable.  To be called before a long calibration. */
 bool file_check_writable(const char *path, struct error *error);
 
 #endif

@@ -1,6 +1,6 @@
-/* Finds the shipped files relative to the program, which may have been moved or
- * installed below another root, or else where it was configured to be
- * installed.
+/* Finds the shipped files relative to the program, because it may have been
+ * moved or installed below another root; otherwise where it was configured to
+ * be installed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/fs/shipped.h"
 
@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-/* Returns a folder beside that of the program, or NULL if it does not exist. */
+/* Returns a folder beside the program's own, or NULL if it does not exist. */
 static char *
 folder_beside_program(const char *folder)
 {
@@ -44,7 +44,7 @@ shipped_sites_folder(void)
 	return folder != NULL ? folder : xstrdup(SITES_DIR "/");
 }
 
-/* Returns a file in a folder relative to that of the sites. */
+/* Returns a file in folder `from`, relative to that of the sites, or NULL. */
 static char *
 shipped_file_in_folder(const char *name, const char *from)
 {

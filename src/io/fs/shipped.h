@@ -1,4 +1,4 @@
-/* The files that come with the program.
+/* The sites and other data files that come with the program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FS_SHIPPED_H
 #define TIPSPEED_IO_FS_SHIPPED_H

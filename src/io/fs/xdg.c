@@ -13,7 +13,7 @@ char *
 xdg_user_file_path(const char *variable, const char *folder, const char *name)
 {
 	const char *base = getenv(variable), *home = getenv("HOME");
-	/* The specification says to pass over a relative path. */
+	/* The specification says to ignore a relative path. */
 	if (base != NULL && base[0] == '/')
 		return xasprintf("%s/tipspeed/%s", base, name);
 	if (home == NULL || home[0] != '/')

@@ -33,9 +33,9 @@ assume(struct column *c, const char *format, ...)
 	xappend(&c->assumed, "%s\n", what);
 }
 
-/* Returns the heading of column c in row r: its own cell, or the one to the
- * left that spreads over it, as merged cells do (own: false); NULL if there is
- * none. */
+/* Returns the heading of column c in row r: its own cell or, if that is empty,
+ * the cell to its left, which then spreads over it as merged cells do (*own is
+ * false).  Returns NULL if there is none. */
 static const struct cell *
 find_heading_cell(const struct table *t, size_t r, size_t c, bool *own)
 {
@@ -49,15 +49,17 @@ find_heading_cell(const struct table *t, size_t r, size_t c, bool *own)
 	return k > 0 && t->n_head > 1 ? &row->cell[k] : NULL;
 }
 
-/* Adds what the heading lacks from a cell above it. */
+/* Adds to a heading what it lacks, from a cell above it.  own: the cell is
+ * above this column, not spread over it from the left; titles: it is above the
+ * heading of the sieves. */
 static void
 add_words_from_heading_above(
     struct head *said, const struct head *more, bool own, bool titles)
 {
 	const uint64_t group[] = {ROLE_WORDS, KIND_WORDS, SCALE_WORDS};
 	uint64_t rest = ~(ROLE_WORDS | KIND_WORDS | SCALE_WORDS);
-	/* Of "Feed" above the next column, where this one has a speed of its
-	 * own, only the feed is meant. */
+	/* If "Feed" stands above a column to the left, and this column has a
+	 * speed of its own, the feed is not meant here. */
 	bool mean = !own && (said->means & WORD_MEAN) != 0;
 	bool feed =
 	    !own && (more->means & WORD_FEED) != 0 && heading_has_speed(said);
@@ -88,7 +90,7 @@ add_words_from_heading_above(
 	said->range = said->range || more->range;
 }
 
-/* Makes the number in a heading a speed, in a unit stated elsewhere. */
+/* Takes the number in a heading for a speed, in a unit stated elsewhere. */
 static void
 use_heading_number_as_speed(struct head *head, enum speed_unit unit)
 {
@@ -99,8 +101,8 @@ use_heading_number_as_speed(struct head *head, enum speed_unit unit)
 	head->n_number = 0;
 }
 
-/* Applies the label in the first cell of a row of headings: "Speed (m/s)",
- * "Sample", "Date". */
+/* Applies the label in the first cell of a row of headings, such as "Speed
+ * (m/s)", "Sample" or "Date", to one heading of that row. */
 static void
 apply_label_of_heading_row(const struct cell *label, struct head *head)
 {
@@ -109,7 +111,7 @@ apply_label_of_heading_row(const struct cell *label, struct head *head)
 		      (head->unknown == 0 &&
 			  ((head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
 			      heading_has_speed(head)));
-	/* "ID" above "Feed" and "69 m/s" tells samples apart. */
+	/* A row labelled "ID" may have "Feed" and "69 m/s". */
 	if ((row.means & (WORD_OTHER | WORD_ROTOR)) != 0 && !sample &&
 	    (row.means & WORD_SPEED) == 0 && row.unit == SPEED_NO_UNIT) {
 		*head = (struct head){0};
@@ -140,7 +142,7 @@ apply_label_of_heading_row(const struct cell *label, struct head *head)
 	}
 }
 
-/* Combines all headings of a column. */
+/* Combines all headings of a column, from the lowest up. */
 static struct head
 combine_column_headings(const struct table *t, size_t c)
 {
@@ -156,7 +158,7 @@ combine_column_headings(const struct table *t, size_t c)
 			apply_label_of_heading_row(&t->head[r].cell[0], &one);
 		add_words_from_heading_above(&said, &one, own, r < t->titles);
 	}
-	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
+	/* "speed 69" from a long table, or "tip speed (m/s) 69" in one cell. */
 	bool number = said.speed == 0 && said.rpm == 0 && said.n_number == 1;
 	if (number && said.unit != SPEED_NO_UNIT)
 		use_heading_number_as_speed(&said, said.unit);
@@ -165,10 +167,11 @@ combine_column_headings(const struct table *t, size_t c)
 	return said;
 }
 
-/* The numbers of a column.  n to most: from coarse to fine, without the pan;
- * sum: with it.  Of all rows: filled cells, numbers, the least and greatest of
- * them, and how many pairs of neighbours there are, differ by 1, are the
- * same. */
+/* The numbers of a column.  n, rises, falls, first, last, most: of its sieves,
+ * from coarse to fine, without the pan; sum: with the pan.  The others are of
+ * all rows: how many cells are filled and how many are numbers, the least and
+ * the greatest number, and how many pairs of neighbours there are, differ by 1,
+ * are the same. */
 struct shape {
 	int n, rises, falls;
 	double first, last, most, sum;
@@ -222,8 +225,8 @@ is_within_percent(double value, double whole, double percent)
 	return fabs(value - whole) <= percent / 100 * whole;
 }
 
-/* Returns the sum stated in a line below the table, in the column's own unit,
- * or NAN. */
+/* Returns the total that a line below the table states, in the column's own
+ * unit, or NAN. */
 static double
 stated_total_of_column(const struct column *c)
 {
@@ -239,12 +242,13 @@ stated_total_of_column(const struct column *c)
 	return NAN;
 }
 
-/* Finds the whole of which the numbers are parts.  False if it is unclear. */
+/* Guesses from the sum of the numbers retained whether they are per cent,
+ * fractions or masses.  Returns false if it is unclear. */
 static bool
 guess_scale_from_sum(
     const struct shape *s, double total, enum unit_scale *scale)
 {
-	/* Without the pan the finest part is missing from a sum of shares. */
+	/* Without a pan, the finest part is missing from the sum. */
 	double least = s->has_pan ? 0.95 : 0.8;
 	bool percent =
 	    s->sum >= 100 * least && s->sum <= 105 && s->most <= 100.5;
@@ -256,7 +260,7 @@ guess_scale_from_sum(
 		*scale = OF_1;
 	else if (!percent && !fraction && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
-	else { /* nearly 100 or 1, and neither that nor some mass */
+	else { /* near 100 or 1, but not near enough */
 		bool mass =
 		    s->most > 100.5 && !is_within_percent(s->first, 100, 1);
 		*scale = mass ? OF_MASS : fraction ? OF_1 : *scale;
@@ -265,7 +269,7 @@ guess_scale_from_sum(
 	return true;
 }
 
-/* Guesses the quantity from the numbers alone.  False if several are
+/* Guesses the quantity from the numbers alone.  Returns false if several are
  * possible. */
 static bool
 guess_quantity_from_numbers(const struct shape *s, double total,
@@ -277,7 +281,7 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 	if (hill && peak &&
 	    (is_within_percent(s->most, 100, 1) ||
 		is_within_percent(s->most, 1, 1))) {
-		*kind = PASSING; /* and one cell is wrong */
+		*kind = PASSING; /* one cell is wrong */
 		return true;
 	}
 	if (hill) {
@@ -299,7 +303,7 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 		       s->sum > 1.2 * end;
 	}
 	if (s->has_pan && s->pan > 0.015 * s->most) {
-		*kind = RETAINED; /* what passes ends at the pan */
+		*kind = RETAINED; /* nothing passes the pan */
 		return guess_scale_from_sum(s, total, scale) && s->n > 2;
 	}
 	*kind = PASSING;
@@ -331,8 +335,8 @@ is_possible_quantity(const struct shape *s, enum unit_kind kind)
 	       !(falls && s->n > 2 && is_within_percent(s->first, 1, 0.1));
 }
 
-/* For a column headed "retained" whose numbers rise throughout: decides between
- * each sieve's mass and cumulative.  False if both are possible. */
+/* Decides whether a column headed "retained", whose numbers rise throughout, is
+ * the mass on each sieve or cumulative.  Returns false if both are possible. */
 static bool
 choose_mass_or_cumulative(
     struct column *c, const struct shape *s, double total, enum unit_kind *kind)
@@ -356,8 +360,8 @@ choose_mass_or_cumulative(
 	return true;
 }
 
-/* Finds the scale, as the heading states it and the numbers allow.  False if it
- * remains unclear. */
+/* Finds the scale that the heading states and the numbers allow.  Returns false
+ * if it is unclear. */
 static bool
 choose_unit_scale(struct column *c, const struct shape *s, enum unit_kind kind,
     double total, enum unit_scale *scale)
@@ -368,7 +372,7 @@ choose_unit_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		       : s->has_pan      ? s->pan
 					 : s->last;
 	bool one = s->most <= 1 + 1e-9;
-	/* "g or %": the numbers tell. */
+	/* "g or %": the numbers decide. */
 	if ((means & WORD_PERCENT) != 0 && (means & WORD_GRAMS) != 0)
 		return kind == RETAINED &&
 		       guess_scale_from_sum(s, total, scale);
@@ -384,7 +388,7 @@ choose_unit_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		return kind != PASSING;
 	}
 	if ((means & WORD_SHARE) != 0) {
-		/* 1.002 is a fraction, and refused as one. */
+		/* 1.002 is taken for a fraction, and refused as too large. */
 		one = one || (kind == PASSING && s->most <= 1.05);
 		*scale = one ? OF_1 : OF_100;
 		return one || (kind == PASSING &&
@@ -408,10 +412,10 @@ choose_unit_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 	       (means & WORD_PERCENT) != 0;
 }
 
-/* True if a heading defines the unit, which is then *unit: in the form of
- * tipspeed-site(5), in which product@69 is per cent passing unless its numbers
- * rise and fall; or given by the user (told) in words that leave nothing
- * open. */
+/* True, with *unit set, if the heading alone defines the unit: either the sheet
+ * has the form of tipspeed-site(5), in which product@69 is per cent passing
+ * unless its numbers both rise and fall; or the user gave the heading (told),
+ * and its words leave nothing open. */
 static bool
 is_unit_defined_by_heading(
     const struct column *c, const struct shape *s, bool told, size_t *unit)
@@ -436,7 +440,7 @@ is_unit_defined_by_heading(
 static bool
 has_size_classes(const struct table *t)
 {
-	/* 3/8 of an inch is none. */
+	/* 3/8 of an inch is not a class. */
 	bool named = t->unit.series != SIEVE_NONE;
 	for (size_t i = 0; i < t->n_row && !named; i++)
 		if (sieve_cell_is_class(t->sheet, t->row[i].cell[0]))
@@ -444,7 +448,7 @@ has_size_classes(const struct table *t)
 	return false;
 }
 
-/* Refuses a column said to be per cent whose numbers do not exceed 1. */
+/* Reports a column that is called per cent but has no number above 1. */
 static void
 refuse_small_percentages(struct column *c, const struct shape *s)
 {
@@ -459,8 +463,9 @@ refuse_small_percentages(struct column *c, const struct shape *s)
 	    tr(unit->words), c->table->number[c->at]);
 }
 
-/* Lets the title say what the numbers of a column are whose headings do not.
- * False if the numbers are clearly something else. */
+/* Adds to the meanings of a column, whose headings state no quantity, those
+ * that the title states.  Returns false if the numbers clearly are something
+ * else. */
 static bool
 take_unit_from_title(struct column *c, const struct shape *s, double total)
 {
@@ -472,8 +477,8 @@ take_unit_from_title(struct column *c, const struct shape *s, double total)
 	return !sure || (kind == PASSING) == ((title & WORD_PASSES) != 0);
 }
 
-/* Guesses the quantity of a column whose headings state none, with their unit,
- * if any.  False if it remains unclear. */
+/* Guesses the quantity of a column whose headings state none, in their unit if
+ * they state one.  Returns false if it is unclear. */
 static bool
 guess_quantity_in_stated_unit(struct column *c, const struct shape *s,
     double total, enum unit_kind *kind, enum unit_scale *scale)
@@ -482,7 +487,7 @@ guess_quantity_in_stated_unit(struct column *c, const struct shape *s,
 	bool sure = guess_quantity_from_numbers(s, total, kind, scale);
 	if ((c->said.means & KIND_WORDS) == WORD_SUMS && *kind == RETAINED)
 		sure = false;
-	/* Grams that rise and fall are what each sieve retained. */
+	/* Grams that rise and fall are the masses on each sieve. */
 	bool grams = (scales & WORD_GRAMS) != 0 &&
 		     (scales & WORD_PERCENT) == 0 && *kind == RETAINED &&
 		     s->rises > 0 && s->falls > 0;
@@ -491,7 +496,8 @@ guess_quantity_in_stated_unit(struct column *c, const struct shape *s,
 				 (sure || grams);
 }
 
-/* Takes the quantity that the headings state.  False if it remains unclear. */
+/* Takes the quantity that the headings state.  Returns false if it is
+ * unclear. */
 static bool
 read_quantity_from_words(struct column *c, const struct shape *s, double total,
     bool told, enum unit_kind *kind, enum unit_scale *scale)
@@ -507,7 +513,7 @@ read_quantity_from_words(struct column *c, const struct shape *s, double total,
 		sure = choose_mass_or_cumulative(c, s, total, kind);
 	sure = choose_unit_scale(c, s, *kind, total, scale) && sure;
 	bool possible = told || is_possible_quantity(s, *kind);
-	if (!possible) /* propose what the numbers say */
+	if (!possible) /* then propose what the numbers suggest */
 		guess_quantity_from_numbers(s, total, kind, scale);
 	bool falls = s->falls > 0 && s->rises == 0 && s->sum > 102;
 	return sure && !both && possible &&
@@ -547,9 +553,10 @@ find_unit_of_column(struct column *c, bool told)
 		  (c->table->below && kind != PASSING);
 }
 
-/* Returns the only number without a unit that can be a tip speed in m/s: 63.6,
- * but not the 1 of "Prov 1"; 0 if there is none, or several.  A whole number
- * from 40 to 99 counts unless it may number the sample. */
+/* Returns the number without a unit that can be a tip speed in m/s: 63.6, but
+ * not the 1 of "Prov 1"; 0 if there is none, or more than one.  It is from 30
+ * to 100; if whole, from 40 on, and in a heading where it cannot number the
+ * sample. */
 static double
 speed_without_unit(const struct head *said)
 {
@@ -570,8 +577,8 @@ speed_without_unit(const struct head *said)
 	return found;
 }
 
-/* True if a heading is only a number that cannot be a tip speed: then its
- * neighbours, such as minutes, are not speeds either. */
+/* True if a heading is only a number that cannot be a tip speed, such as
+ * minutes.  Then the numbers beside it are not speeds either. */
 static bool
 is_number_heading_but_no_speed(const struct head *said)
 {
@@ -595,7 +602,8 @@ find_speed_of_column(struct column *c, const struct surroundings *near)
 		c->speed = speed_in_unit_to_mps(c->rpm, SPEED_RPM, near->rotor);
 	} else if (speed_without_unit(said) > 0 && said->unknown == 0) {
 		c->speed = speed_without_unit(said);
-		/* A speed that spreads over the feed may not be the feed's. */
+		/* A speed that spreads over the feed from the left may not be
+		 * its own. */
 		if (c->role != FEED || !said->spread)
 			assume(c, "tip speeds in m/s");
 	} else if (near->speed > 0 && c->role == PRODUCT) {
@@ -645,11 +653,11 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 	va_start(ap, format);
 	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
-	/* "column 5", or the line of a sheet that lies on its side. */
+	/* "column 5"; or a line, if the samples are in lines. */
 	FREED char *where =
 	    xasprintf(c->table->across ? tr("line %zu") : tr("column %zu"),
 		c->table->number[c->at]);
-	/* Tables one below the other repeat their columns. */
+	/* Tables below each other have the same columns. */
 	for (size_t i = 0; i < site->n_left_out; i++)
 		if (strcmp(site->left_out[i].key, where) == 0 &&
 		    strcmp(site->left_out[i].value, what) == 0)
@@ -657,8 +665,8 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 
-/* True for 1, 2, 3 and so on, up or down, or the same number throughout: this
- * is no curve. */
+/* True if a column counts 1, 2, 3 and so on, up or down, or has the same number
+ * throughout: it is not a curve. */
 static bool
 is_column_count_or_constant(const struct column *c, const struct shape *s)
 {
@@ -675,8 +683,8 @@ is_column_count_or_constant(const struct column *c, const struct shape *s)
 	       ((s->steps == s->pairs && small) || constant);
 }
 
-/* Leaves out a column that is no sample and notes why.  Returns true if it
- * did. */
+/* Leaves out a column that is not a sample, and notes why.  Returns true if it
+ * was left out. */
 static bool
 leave_out_no_sample(const struct column *c, struct site *site)
 {
@@ -729,9 +737,9 @@ take_speed_from_constant_column(
 		    s.most_of_all, c->said.unit, near->rotor);
 }
 
-/* Refuses a column with the same mass throughout, that of empty sieves, beside
- * one of full sieves, if no heading explains them: the mass retained is their
- * difference. */
+/* Reports a column with the same mass throughout, that of empty sieves, beside
+ * one of full sieves, unless headings explain them.  The mass retained is the
+ * difference between the two. */
 static void
 refuse_tare_column(const struct column *column, size_t n)
 {
@@ -754,7 +762,7 @@ refuse_tare_column(const struct column *column, size_t n)
 	}
 }
 
-/* Returns the column with what its headings state. */
+/* Returns a new column with what its headings state. */
 static struct column
 column_from_headings(struct table *t, size_t at)
 {
@@ -802,7 +810,8 @@ classify_columns(struct table *t, const struct surroundings *near,
 			continue;
 		find_role_of_column(&c, &around);
 		find_speed_of_column(&c, &around);
-		/* Below a speed an empty cell may be the same, or forgotten. */
+		/* In a line, an empty cell below a speed may mean the same
+		 * speed, or have been forgotten. */
 		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
 		find_unit_of_column(&c, around.told);
@@ -810,7 +819,6 @@ classify_columns(struct table *t, const struct surroundings *near,
 	}
 }
 
-/* True if the user has interrupted the reading. */
 static bool
 is_reading_interrupted(const struct columns *all)
 {
@@ -827,8 +835,9 @@ drop_column(struct columns *all, size_t i)
 	    (all->n - i) * sizeof *all->column);
 }
 
-/* Ranks the quantities of one sample: masses first, because they are exact and
- * include the pan, then those that need the least conversion. */
+/* Returns the rank of a column among the quantities of one sample: masses
+ * first, because they are exact and include the pan, then those that need the
+ * least conversion. */
 static int
 rank_column_by_quantity(const struct column *c)
 {
@@ -840,7 +849,7 @@ rank_column_by_quantity(const struct column *c)
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
-/* Returns the unknown words in the headings of a column and those with digits.
+/* Returns the words in a column's headings that are unknown or have digits.
  * The caller frees the text. */
 static char *
 sample_name_in_headings(const struct column *c)
@@ -866,14 +875,15 @@ has_same_sample_name(const struct column *a, const struct column *b)
 	return text_same_folded(one, other);
 }
 
-/* True if two columns are one sample in two quantities, at least one of which
- * is stated. */
+/* True if two columns are the same sample in two quantities, at least one of
+ * which is stated. */
 static bool
 is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 {
 	bool stated =
 	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
-	/* Under a title the heads say quantities: "1-Q3" numbers no sample. */
+	/* Below a title, headings state quantities, so the 1 of "1-Q3" does not
+	 * number a sample. */
 	bool titled = a->role != NO_ROLE &&
 		      ((a->said.means | b->said.means) & ROLE_WORDS) == 0;
 	bool numbers = titled || a->speed > 0 ||
@@ -889,7 +899,7 @@ is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 	       (a->role != NO_ROLE || (stated && has_same_sample_name(a, b)));
 }
 
-/* Makes the column one that is only compared with the other. */
+/* Marks a column that is only compared with another. */
 static void
 mark_as_comparison_only(struct column *c, const struct column *other)
 {
@@ -898,9 +908,9 @@ mark_as_comparison_only(struct column *c, const struct column *other)
 	c->open = false;
 }
 
-/* Returns the unknown words in the headings of a column and ranges such as 0/4,
- * which distinguish its sample from others.  Signs of samples, at most two
- * letters, are omitted, and what says when they were taken.  The caller frees
+/* Returns the words in a column's headings that tell its sample from others:
+ * unknown words, and ranges such as 0/4.  Labels of one or two letters are
+ * omitted, as are words that say when the sample was taken.  The caller frees
  * the text. */
 static char *
 distinctive_words_of_sample(const struct column *c)
@@ -931,9 +941,9 @@ distinctive_words_of_sample(const struct column *c)
 	return words;
 }
 
-/* True if two samples at one speed may be repeats: they have the same words
- * (distinctive_words_of_sample of each) and do not come from machines with
- * different numbers. */
+/* True if two samples at one speed may be repeats: their distinctive words, x
+ * and y, are the same, and they do not come from machines with different
+ * numbers. */
 static bool
 are_possible_repeats(const struct column *a, const char *x,
     const struct column *b, const char *y)
@@ -944,8 +954,8 @@ are_possible_repeats(const struct column *a, const char *x,
 		   a->said.number[0] != b->said.number[0]);
 }
 
-/* Opens the products of a table that row r of its headings gives to another
- * site or machine than the first. */
+/* Marks as open the products of a table that row r of its headings gives to
+ * different sites or machines. */
 static void
 open_if_other_site(struct columns *all, const struct table *t, size_t r)
 {
@@ -1005,8 +1015,8 @@ ask_about_repeats(struct columns *all)
 		free(words[i]);
 }
 
-/* Drops the means of samples that are in the sheet themselves; "Feed (avg)"
- * is the feed where there is no other. */
+/* Drops means of samples that are in the sheet themselves.  "Feed (avg)" is the
+ * feed if there is no other. */
 static void
 drop_mean_columns(struct columns *all, struct site *site)
 {
@@ -1055,8 +1065,8 @@ drop_duplicate_quantities(struct columns *all, struct site *site)
 		}
 }
 
-/* True if the numbers look like a curve; others are dropped if no heading
- * explains them. */
+/* True if the numbers look like a curve.  Columns that do not are dropped if
+ * their headings do not explain them. */
 static bool
 column_looks_like_curve(const struct column *c)
 {
@@ -1066,8 +1076,8 @@ column_looks_like_curve(const struct column *c)
 	return s.n > 2 && guess_quantity_from_numbers(&s, NAN, &kind, &scale);
 }
 
-/* Makes an only feed that of all runs, even if the speed to its left spreads
- * over it. */
+/* If there is only one feed, makes it the feed of all runs, even if the speed
+ * to its left spreads over it. */
 static void
 set_feed_for_all_runs(struct columns *all)
 {
@@ -1082,7 +1092,7 @@ set_feed_for_all_runs(struct columns *all)
 		only->speed = only->rpm = 0;
 }
 
-/* False if two feeds have one heading: they may be repeats. */
+/* Returns false if two feeds have the same heading, as they may be repeats. */
 static bool
 are_feeds_named_apart(const struct columns *all)
 {
@@ -1099,9 +1109,10 @@ are_feeds_named_apart(const struct columns *all)
 	return true;
 }
 
-/* True if feeds without a speed, or with that of the product before as it
- * spreads over them, stand in turn with as many products, or all of them, three
- * or more, before or after all products. */
+/* True if there are as many feeds as products, and their order pairs them:
+ * feeds and products alternate, or three or more feeds come all before or all
+ * after the products.  The feeds have no speed, or that of the product to their
+ * left, which spreads over them. */
 static bool
 are_feeds_in_order_of_products(const struct columns *all)
 {
@@ -1122,7 +1133,7 @@ are_feeds_in_order_of_products(const struct columns *all)
 		   (feeds >= 3 && changes == 1 && are_feeds_named_apart(all)));
 }
 
-/* Makes each feed that of one product, in their order. */
+/* Gives each feed the speed of a product, in their order. */
 static void
 pair_feeds_with_products(struct columns *all)
 {
@@ -1142,7 +1153,8 @@ pair_feeds_with_products(struct columns *all)
 	}
 }
 
-/* If no column is called feed, takes the only one without a role for it. */
+/* If no column is called feed, and only one has no role, takes that for the
+ * feed. */
 static void
 guess_feed_column(struct columns *all, size_t feeds)
 {
@@ -1157,7 +1169,7 @@ guess_feed_column(struct columns *all, size_t feeds)
 	if (n != 1 || feeds > 0)
 		return;
 	only->role = FEED;
-	/* Beside a file of products a file with one sample has the feed. */
+	/* A file with one sample, beside a file of products, has the feed. */
 	size_t own = 0, others = 0;
 	const char *path = only->table->sheet->path;
 	for (size_t i = 0; i < all->n; i++) {

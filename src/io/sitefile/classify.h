@@ -10,12 +10,12 @@
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_samples.h"
 
-/* Facts known from outside the table.  rotor: diameter, m; 0: not known.
- * speed: m/s, for samples whose headings state none; or 0.  context: the
- * meanings of the words around the table (title, name of the sheet or file)
- * that distinguish feed from product.  told: the headings were given by the
- * user.  samples: the samples given by name.  counted: bare numbers in headings
- * are not tip speeds. */
+/* What is known from outside the table.  rotor: the rotor's diameter, m, or 0
+ * if not known.  speed, rpm: m/s and rpm of samples whose headings state no
+ * speed, or 0.  context: the meanings of the words around the table (its title,
+ * the name of its sheet or file), which tell feed from product.  told: the user
+ * gave the headings.  counted: bare numbers in headings are not tip speeds.
+ * samples: those that the user described by name. */
 struct surroundings {
 	double rotor, speed, rpm;
 	uint64_t context;
@@ -23,21 +23,21 @@ struct surroundings {
 	struct samples *samples;
 };
 
-/* Adds the columns of a table that contain samples, with all that follows from
- * their headings and numbers; lists other columns in site->left_out.  An
- * ambiguous column is open. */
+/* Adds the columns of a table that contain samples, with role, speed and
+ * quantity as their headings and numbers show.  An ambiguous column is marked
+ * open.  Lists the other columns in site->left_out. */
 void classify_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site);
 
-/* Settles what depends on all columns together: which of two quantities of a
+/* Decides what depends on all columns together: which of two quantities of a
  * sample to use, the role of a column that states none, the order of repeats.
- * told: the headings were given by the user.  wants_rotor: out, true if a speed
- * is in rpm and the rotor's diameter is not stated. */
+ * told: the user gave the headings.  *wants_rotor becomes true if a speed is in
+ * rpm and the rotor's diameter is not known. */
 void classify_columns_together(
     struct columns *all, struct site *site, bool told, bool *wants_rotor);
 
-/* Returns the description of a column as used in columns=, "product@69
- * retained_g".  The caller frees it. */
+/* Returns a column in the words of columns=, "product@69 retained_g".  The
+ * caller frees the text. */
 char *classify_describe_column(const struct column *c);
 
 #endif

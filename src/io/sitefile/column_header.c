@@ -14,7 +14,7 @@
 #include "io/cells/number.h"
 #include "io/sitefile/lexicon.h"
 
-/* Longer ones before those that they begin with. */
+/* A unit that begins with another one stands before it. */
 static const struct {
 	const char *text;
 	enum speed_unit unit;
@@ -30,7 +30,7 @@ static const struct {
     {"min-1", SPEED_RPM}, {"giri/min", SPEED_RPM}, {"об/мин", SPEED_RPM},
     {"м/с", SPEED_MPS}};
 
-/* Units of other things: a number before one of them is no speed. */
+/* Units of other quantities: a number before one of them is not a speed. */
 static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",
     "cm", "micron", "inch", "in.", "\"", "g", "kg", "%", "t/h", "tph", "ton",
     "t", "kw", "h", "hz", "a", "s", "v", "bar", "min", "pct", "\xC2\xB0"};
@@ -41,7 +41,7 @@ text_is_letter_byte(char c)
 	return isalpha((unsigned char)c) || (c & 0x80) != 0;
 }
 
-/* Returns the unit at the start of the text, and its length. */
+/* Returns the unit of speed that the text begins with, and its length in *n. */
 static enum speed_unit
 speed_unit_at(const char *text, size_t *n)
 {
@@ -98,14 +98,14 @@ speed_in_unit_to_mps(double number, enum speed_unit unit, double rotor)
 	}
 }
 
-/* True if speeds in a unit have four digits or more. */
+/* True if speeds in this unit have four digits or more. */
 static bool
 are_unit_speeds_in_thousands(enum speed_unit unit)
 {
 	return unit == SPEED_RPM || unit == SPEED_FT_MIN;
 }
 
-/* Replaces blanks that do not break with spaces. */
+/* Replaces no-break spaces and line ends with spaces. */
 static void
 replace_nonbreaking_blanks(char *s)
 {
@@ -123,9 +123,9 @@ replace_nonbreaking_blanks(char *s)
 	*to = '\0';
 }
 
-/* Reads a number at *text and moves *text after it: 63,6 or 63.6, or, before
- * rpm, 1 350 or 1,350.  False for dates, times and ranges (0/8, 2026-05-03),
- * after which *text moves too. */
+/* Reads a number at *text and moves *text past it: 63,6 or 63.6 or, before rpm,
+ * 1 350 or 1,350.  Returns false for dates, times and ranges (0/8, 2026-05-03),
+ * but moves *text past them. */
 static bool
 parse_number_at(const char **text, double *value)
 {
@@ -176,8 +176,8 @@ skip_unit_of_mass(const char *text)
 	return grams ? text + n : text;
 }
 
-/* Adds a number to the heading, with the unit after it; moves *text after the
- * unit. */
+/* Adds a number to the heading, with the unit that follows it at *text, and
+ * moves *text past the unit. */
 static void
 add_number_to_heading(
     struct head *head, const char **text, double value, bool at)
@@ -188,7 +188,7 @@ add_number_to_heading(
 	if (unit == SPEED_NO_UNIT && at)
 		unit = SPEED_MPS;
 	if (unit == SPEED_NO_UNIT && is_unit_other_than_speed(p)) {
-		/* "Soil A (100g)" tells how much it was, not in what. */
+		/* The g of "Soil A (100g)" is not the unit of the column. */
 		*text = skip_unit_of_mass(p);
 		return;
 	}
@@ -203,22 +203,22 @@ add_number_to_heading(
 	    unit == SPEED_RPM ? value : speed_in_unit_to_mps(value, unit, 0);
 	head->several =
 	    head->several || (*slot > 0 && fabs(*slot - said) > 0.05);
-	/* Of 12520 ft/min (63.6 m/s) the later, which is in m/s, is closer. */
+	/* In 12520 ft/min (63.6 m/s) the later speed is more exact. */
 	*slot = said;
 	head->unit = unit;
 }
 
-/* The number before the one that is looked at.  at: a speed because of its @
- * alone.  unit: it has one of speed.  end: where it ends, with its unit; NULL:
- * there is none. */
+/* The previous number in a heading.  at: only its @ makes it a speed.  unit: it
+ * has a unit of speed.  end: where it ends, with its unit; NULL if there is no
+ * previous number. */
 struct before {
 	const char *end;
 	double value;
 	bool at, unit;
 };
 
-/* True if n bytes are "or", "to", ".." or the like, which make two numbers one
- * quantity. */
+/* True if n bytes are "or", "to", ".." or the like, which link two numbers to
+ * one quantity. */
 static bool
 is_link_between_numbers(const char *text, size_t n)
 {
@@ -231,9 +231,9 @@ is_link_between_numbers(const char *text, size_t n)
 	return false;
 }
 
-/* True if a number without a unit of speed, at `text`, may be a second value
- * for the speed before it: @74 approx 75, 74 m/s or 75.  In @74 sample 3, a
- * known word shows what it is instead. */
+/* True if a number without a unit of speed, at `text`, may be a second value of
+ * the speed before it: @74 approx 75, 74 m/s or 75.  In @74 sample 3, a known
+ * word says what else it is. */
 static bool
 is_second_speed(const struct before *before, const char *text, double value)
 {
@@ -248,9 +248,9 @@ is_second_speed(const struct before *before, const char *text, double value)
 	       (before->unit && (means & ~(uint64_t)WORD_FILLER) == 0);
 }
 
-/* True if the number at `text` and the one before it are parts of one speed: @6
- * 9, @69..70, 74 or 75 m/s; but not in "Cut 3 - 69 m/s".  unit: it has a unit
- * of speed. */
+/* True if the number at `text` and the previous one belong to the same speed:
+ * @6 9, @69..70, 74 or 75 m/s; but not in "Cut 3 - 69 m/s".  unit: the number
+ * at `text` has a unit of speed. */
 static bool
 is_part_of_speed(
     const struct before *before, const char *text, double value, bool unit)
@@ -273,8 +273,8 @@ is_part_of_speed(
 	return is_link_between_numbers(gap, n);
 }
 
-/* True if the characters around a number make it another number: 7.4e1, .69,
- * 1E+02.  from, to: its digits in the text; at: @ precedes it. */
+/* True if the characters around a number make it part of another number: 7.4e1,
+ * .69, 1E+02.  from, to: its digits in the text; at: an @ precedes it. */
 static bool
 is_part_of_other_number(
     const char *text, const char *from, const char *to, bool at)
@@ -293,7 +293,7 @@ is_part_of_other_number(
 	       !(*to == '.' && (to[1] == ' ' || to[1] == '\0'));
 }
 
-/* Reads the number at *text and moves *text after it. */
+/* Reads the number at *text into the heading and moves *text past it. */
 static void
 parse_heading_number(struct head *head, const char *start, const char **text,
     bool at, struct before *before)
@@ -321,8 +321,8 @@ parse_heading_number(struct head *head, const char *start, const char **text,
 	    good ? (speed ? *text : to) : NULL, value, at && !speed, speed};
 }
 
-/* Returns the bytes of what separates the sizes of a range, such as "-" or
- * "-d-"; 0 if there is no separator. */
+/* Returns the length of what separates the two sizes of a range, such as "-" or
+ * "-d-", or 0 if p does not begin with one. */
 static size_t
 range_separator_bytes(const char *p)
 {
@@ -337,7 +337,8 @@ range_separator_bytes(const char *p)
 	return 0;
 }
 
-/* True if a text has two sizes; a date, with three numbers, is none. */
+/* True if a text contains a range of two sizes; a date, which has three
+ * numbers, is not one. */
 static bool
 has_size_range(const char *text)
 {
@@ -363,7 +364,7 @@ has_size_range(const char *text)
 	return false;
 }
 
-/* True for the 3 of m3 and cm3, no unit of length. */
+/* True for the 3 of m3 or cm3, which are not units of length. */
 static bool
 is_power_of_length(const char *text, const char *p)
 {
@@ -376,8 +377,8 @@ is_power_of_length(const char *text, const char *p)
 	       (n == 1 || strchr("cdm", from[0]) != NULL);
 }
 
-/* Reads a folded text.  words: out, the text without numbers and units of
- * speed; rest: out, the text without speeds; each as large as the text. */
+/* Reads a folded text.  words gets the text without numbers and units of speed,
+ * rest the text without speeds; each has room for the whole text. */
 static struct head
 split_off_speeds(const char *folded, char *words, char *rest)
 {
@@ -415,7 +416,7 @@ split_off_speeds(const char *folded, char *words, char *rest)
 	return head;
 }
 
-/* True of the speed of a belt or feeder, which is not that of the rotor. */
+/* True for the speed of a belt or feeder, which is not that of the rotor. */
 static bool
 is_speed_of_belt(const char *folded)
 {
@@ -429,7 +430,8 @@ is_speed_of_belt(const char *folded)
 	return false;
 }
 
-/* Reads a heading.  left: out, the text without its speeds; may be NULL. */
+/* Reads a heading.  *left gets the text without its speeds, which the caller
+ * frees; left may be NULL. */
 static struct head
 parse_heading_text(const char *text, char **left)
 {
@@ -453,10 +455,10 @@ heading_parse(const char *text)
 	return parse_heading_text(text, NULL);
 }
 
-/* A speed in a name is at least this; "12 MS" may be initials. */
+/* The slowest speed in a name, m/s; "12 MS" may be initials. */
 static const double SLOWEST_IN_NAME = 20;
 
-/* Returns the whole number that ends before p, or -1. */
+/* Returns the whole number that ends just before p, or -1. */
 static double
 number_before(const char *text, const char *p)
 {

@@ -16,12 +16,13 @@ enum speed_unit {
 	SPEED_RPM
 };
 
-/* means: the meanings of all words, see lexicon.h.  unknown: the number of
- * words without a meaning.  unit: that of a speed, with or without a number.
- * speed: m/s, 0 if not stated; rpm: 0 if not stated.  number: the first of
- * n_number numbers without a unit.  several: two speeds are stated.  spread:
- * the speed is in a cell to the left.  range: it contains a range of sizes (0-4
- * mm, 53-D-63), which is the name of a sample. */
+/* What a heading says.  means: the meanings of all its words, see lexicon.h.
+ * unknown: the number of words without a meaning.  unit: the unit of speed,
+ * with or without a number.  speed, rpm: m/s and rpm, or 0 if not stated.
+ * number [n_number]: the numbers without a unit, at most HEAD_NUMBERS of them.
+ * several: it states two speeds.  spread: the speed comes from a cell to the
+ * left.  range: it contains a range of sizes (0-4 mm, 53-D-63), which is a name
+ * of the sample. */
 enum { HEAD_NUMBERS = 4 };
 struct head {
 	uint64_t means;
@@ -34,22 +35,22 @@ struct head {
 /* Parses one cell of a heading. */
 struct head heading_parse(const char *text);
 
-/* Parses the name of a sheet or file, in which / cannot be: of "cut_60ms" and
- * "VSI 60 m-s" the speed is 60 m/s. */
+/* Parses the name of a sheet or file.  Such names cannot contain a /, so
+ * "cut_60ms" and "VSI 60 m-s" state 60 m/s. */
 struct head heading_parse_name(const char *name);
 
-/* True if a heading states a speed, in whatever unit. */
+/* True if a heading states a speed, in any unit. */
 bool heading_has_speed(const struct head *head);
 
-/* Returns the unit of speed that a heading states, if only by a word for turns;
- * SPEED_NO_UNIT if it states none. */
+/* Returns the unit of speed that a heading states, even if only by a word for
+ * revolutions; SPEED_NO_UNIT if there is none. */
 enum speed_unit heading_speed_unit(const struct head *head);
 
-/* Returns the text, folded by text_fold_case_and_accents, without speeds and
- * their units.  The caller frees it. */
+/* Returns the text without speeds and their units, folded by
+ * text_fold_case_and_accents.  The caller frees it. */
 char *heading_without_speeds(const char *text);
 
-/* True if a byte is a letter or part of one; all beyond ASCII are. */
+/* True if a byte is a letter, or beyond ASCII and so taken for part of one. */
 bool text_is_letter_byte(char c);
 
 /* Converts a speed to m/s.  SPEED_RPM needs the rotor's diameter, m. */

@@ -1,5 +1,5 @@
-/* Finds the tables on a sheet, searching it as a grid, once as it is and once
- * transposed, so that sieves always run downward.
+/* Finds the tables on a sheet.  It searches a grid of the cells twice, as it is
+ * and transposed, so that sieves always run downward.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/layout.h"
 
@@ -20,13 +20,14 @@
 enum {
 	MOST_HEADS = 6,
 	MOST_TABLES = 64,
-	LEAST_WITHOUT_HEAD = 4 /* sieves of a table that nothing heads */
+	LEAST_WITHOUT_HEAD = 4 /* sieves of a table without a heading */
 };
 
-/* What a cell can be in a table.  means: of its words, of which so many are
- * unknown; head: it can head a column of sieves; foot: it says in words what
- * its line has, a sum, a loss; below: it is the size below which material
- * passes a sieve; used: a table has taken it; kind, mm: as a sieve. */
+/* What a cell can be in a table.  means: the meanings of its words, of which
+ * `unknown` have none.  head: it can head a column of sieves.  foot: its words
+ * say that its line has a sum, a loss or the like.  below: it is a size below
+ * which material passes a sieve.  used: it is part of a table that was found.
+ * kind, mm: what it is as a sieve. */
 struct nature {
 	uint64_t means;
 	unsigned unknown;
@@ -35,21 +36,22 @@ struct nature {
 	double mm;
 };
 
-/* A table found: rows first to before last, its sieves in column c, headed in
- * row head (g->n_row: by nothing), its numbers before column end.  score:
- * openings that are those of real sieves.  unsure: as of a table. */
+/* A table that was found: rows first to before last, sieves in column c, their
+ * heading in row head (g->n_row: none), numbers before column end.  score: how
+ * many sizes are those of real sieves.  unsure: as in struct table. */
 struct place {
 	size_t c, head, first, last, end;
 	int score;
 	bool unsure;
 };
 
-/* at, nature [n_row * n_col]: cells, and what they can be; a row is `down`
- * after the one above, a column `right` after the one before, so that the grid
- * turned over has the same.  gap [n_row]: something empty is above it.  number
- * [n_row * n_col], row by row: the first column from there on that has a
- * number, n_col: none has.  phi [n_col]: the column has sizes in phi, of which
- * 0 and less are some.  place [n_place]: the tables found. */
+/* A sheet as a grid.  at, nature [n_row * n_col]: its cells, and what they can
+ * be.  In these arrays a row is `down` after the one above, and a column
+ * `right` after the one before, so the transposed grid shares them.  gap
+ * [n_row]: there is an empty line above the row.  number [n_row * n_col], row
+ * by row: the first column, from this one on, that has a number, or n_col.  phi
+ * [n_col]: the sizes of the column are in phi.  place [n_place]: the tables
+ * found. */
 struct sheets {
 	struct sheet *sheet;
 	bool across;
@@ -87,7 +89,7 @@ cell_nature_at(const struct sheets *g, size_t r, size_t c)
 	return &g->nature[cell_index_at(g, r, c)];
 }
 
-/* Returns the number of a column in the sheet, or that of the line. */
+/* Returns the number of a column in the sheet, or of a line if across. */
 static size_t
 column_number(const struct sheets *g, size_t c)
 {
@@ -100,8 +102,8 @@ is_cell_filled(const struct sheets *g, size_t r, size_t c)
 	return cell_at(g, r, c)->text[0] != '\0';
 }
 
-/* True if only comments are between two lines of a sheet.  *i: the comment from
- * which to search; it moves on, as lines are asked about from the top. */
+/* True if there are only comments between two lines of a sheet.  *i: the first
+ * comment to look at; it moves on, as the lines come in order. */
 static bool
 has_only_comments_between(
     const struct sheet *sheet, int line, int next, size_t *i)
@@ -120,8 +122,8 @@ is_cell_in_box(struct site_box box, int line, size_t column)
 		   (int)column >= box.left && (int)column <= box.right);
 }
 
-/* Whether a cell can head a column of sieves: by a word for size or sieve, or a
- * unit of size alone, and no word for something else. */
+/* True if a cell can head a column of sieves: it has a word for size or sieve,
+ * or only a unit of size, and no word for something else. */
 static bool
 can_head_sieves(const struct cell *cell, const struct nature *n)
 {
@@ -129,7 +131,7 @@ can_head_sieves(const struct cell *cell, const struct nature *n)
 				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
 				     WORD_SUMS | WORD_GRAMS | WORD_SHARE |
 				     WORD_PERCENT | WORD_PAN;
-	/* "n.d." is no diameter. */
+	/* "n.d." is not a diameter. */
 	if (cell->kind != CELL_TEXT || cell->value == AS_ABSENT ||
 	    strpbrk(cell->text, "0123456789") != NULL ||
 	    text_same_folded(cell->text, "top_size_mm"))
@@ -137,7 +139,8 @@ can_head_sieves(const struct cell *cell, const struct nature *n)
 	uint64_t means = n->means;
 	uint64_t units =
 	    WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS | WORD_PHI;
-	/* A micrometre, too, in some languages: "My quarry" is a name. */
+	/* "My" also means micrometre in some languages, but "My quarry" is a
+	 * name. */
 	bool mine = n->unknown > 0 && strncasecmp(cell->text, "my ", 3) == 0;
 	if ((means & ELSE) != 0 || mine)
 		return false;
@@ -171,7 +174,7 @@ guess_cell_nature(
 	return n;
 }
 
-/* Fills the natures of all cells. */
+/* Finds what each cell can be. */
 static void
 fill_cell_natures(struct sheets *g)
 {
@@ -226,7 +229,8 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 	return g;
 }
 
-/* Reads "In" beside "Out" as a feed; elsewhere it is an inch. */
+/* Changes "In" to "feed" if there is an "Out" beside it; otherwise it means
+ * inch. */
 static void
 mark_in_beside_out_as_feed(struct sheets *g)
 {
@@ -244,8 +248,9 @@ mark_in_beside_out_as_feed(struct sheets *g)
 	}
 }
 
-/* The one number of "< 16" and "-16 mm", below which material passes a sieve;
- * NULL: none.  -2 may be in phi, and -16+11.2 mm is a class. */
+/* Returns the size in "< 16" or "-16 mm", below which material passes a sieve,
+ * or NULL.  -2 is not one, as it may be in phi, nor -16+11.2 mm, which is a
+ * class. */
 static char *
 size_after_less_sign(const struct cell *cell)
 {
@@ -258,8 +263,8 @@ size_after_less_sign(const struct cell *cell)
 	return isdigit((unsigned char)size[0]) ? size : NULL;
 }
 
-/* The sizes below which material is, of a line or column: how many times
- * another one comes, and the last. */
+/* The sizes written "< 16" in a line or column: how many of them differ from
+ * the one before, and the last. */
 struct sizes_below {
 	size_t n;
 	const char *last;
@@ -272,8 +277,9 @@ count_distinct_size_below(struct sizes_below *below, const char *size)
 	below->last = size;
 }
 
-/* "< 16", "< 11.2", "< 8" in one line or column: the sieves of what passes
- * them; one alone, or again and again in a long table, is the pan. */
+/* Takes "< 16", "< 11.2", "< 8" in one line or column for sieves, and the
+ * numbers there for what passes them.  "< 16" alone, or again and again in a
+ * long table, is the pan. */
 static void
 mark_sizes_below_as_sieves(struct sheets *g)
 {
@@ -300,8 +306,9 @@ mark_sizes_below_as_sieves(struct sheets *g)
 		}
 }
 
-/* Shifts the headings of tables written by R, which does not head its column of
- * row numbers: a line one cell short, above lines that begin with 1, 2, 3. */
+/* Shifts the headings of tables written by R, which has no heading for its
+ * column of row numbers: the headings are one cell short, and the lines below
+ * begin with 1, 2, 3. */
 static void
 shift_headings_by_one(struct sheets *g)
 {
@@ -346,13 +353,13 @@ free_grid(struct sheets *g)
 	free(g->gap);
 	free(g->phi);
 	free(g->number);
-	if (g->across) /* the rest is the other's */
+	if (g->across) /* the other grid has the rest */
 		return;
 	free(g->at);
 	free(g->nature);
 }
 
-/* True if the numbers below a heading that only says number are those of ASTM
+/* True if the numbers below a heading that says only "number" are those of ASTM
  * E11 sieves: 4, 8, 16, but not 4, 5, 6, which count something. */
 static bool
 has_astm_sieve_numbers(const struct sheets *g, size_t r, size_t c)
@@ -372,8 +379,8 @@ has_astm_sieve_numbers(const struct sheets *g, size_t r, size_t c)
 	return n > 2 && step > 1;
 }
 
-/* True for the unit of a value, "Rotor diameter | 990 | mm": the last of three
- * cells, the only ones of their line. */
+/* True for the unit of a value, as in "Rotor diameter | 990 | mm": it is the
+ * last of the only three cells in its line. */
 static bool
 is_unit_after_value(const struct sheets *g, size_t r, size_t c)
 {
@@ -396,8 +403,8 @@ is_sieve_head(const struct sheets *g, size_t r, size_t c)
 	       (!number || has_astm_sieve_numbers(g, r, c));
 }
 
-/* True if a heading states phi, whose letter also means a diameter, above
- * numbers that can be phi. */
+/* True if a heading states phi, and the numbers below it can be in phi.  The
+ * letter also means a diameter. */
 static bool
 is_phi_head(const struct sheets *g, size_t r, size_t c)
 {
@@ -429,15 +436,15 @@ is_cell_of_sieve(const struct sheets *g, size_t r, size_t c)
 	return sieve_kind_of_cell(g, r, c, &mm) != SIEVE_IS_NONE;
 }
 
-/* True if one of the columns after c and before `end` has a number. */
+/* True if row r has a number after column c and before column `end`. */
 static bool
 has_number_beside(const struct sheets *g, size_t r, size_t c, size_t end)
 {
 	return c + 1 < end && g->number[r * g->n_col + c + 1] < end;
 }
 
-/* Returns the next row below, without a gap, that is a sieve with numbers;
- * n_row if there is none. */
+/* Returns the next row below r, before any gap, that has a sieve and numbers
+ * beside it; n_row if there is none. */
 static size_t
 next_sieve_row(const struct sheets *g, size_t r, size_t c, size_t end)
 {
@@ -451,7 +458,7 @@ next_sieve_row(const struct sheets *g, size_t r, size_t c, size_t end)
 	return g->n_row;
 }
 
-/* True if a row immediately below the sieves has numbers but no sieve, and is
+/* True if row r, immediately below the sieves, has numbers but no sieve, and is
  * not a remark. */
 static bool
 is_row_without_sieve(const struct sheets *g, size_t r, size_t c, size_t end)
@@ -462,13 +469,14 @@ is_row_without_sieve(const struct sheets *g, size_t r, size_t c, size_t end)
 	return !g->gap[r] && !word && has_number_beside(g, r, c, end);
 }
 
-/* Finds the last sieve of a table: a blank line ends it unless another sieve
- * follows; sums and the heading of another table end it likewise. */
+/* Finds the last sieve of a table, and its score.  A blank line ends the table
+ * unless another sieve follows, and so does a line of sums.  The heading of
+ * another table always ends it. */
 static void
 find_table_end(const struct sheets *g, struct place *p)
 {
 	int standard = 0;
-	size_t known = 0; /* it goes on to there */
+	size_t known = 0; /* the next sieve below a line of sums */
 	p->last = p->first;
 	for (size_t r = p->first; r < g->n_row; r++) {
 		double mm;
@@ -497,8 +505,8 @@ find_table_end(const struct sheets *g, struct place *p)
 	p->score = standard;
 }
 
-/* Returns the column of the next heading of sieves in a row, or n_col.  One
- * immediately beside it is skipped: it has the same sieves in other words. */
+/* Returns the column of the next heading of sieves in row r, or n_col.  Skips
+ * one immediately beside column c, which has the same sieves in other words. */
 static size_t
 next_sieve_heading(const struct sheets *g, size_t r, size_t c)
 {
@@ -508,8 +516,9 @@ next_sieve_heading(const struct sheets *g, size_t r, size_t c)
 	return k < g->n_col ? k : g->n_col;
 }
 
-/* The sizes of a table one after the other: how many there are, rise, fall, and
- * go up or down by 1, as a count of samples does. */
+/* The sizes of a table, from the top: how many there are, how many are above or
+ * below the one before, and how many differ from it by 1, as a count of samples
+ * does. */
 struct sequence {
 	size_t n, rises, falls, steps;
 };
@@ -538,7 +547,7 @@ are_tables_overlapping(const struct place *a, const struct place *b)
 }
 
 /* True if two columns of sieves are the lower and upper ends of adjoining
- * classes: mass is retained on the lower. */
+ * classes, whose mass is retained on the lower end. */
 static bool
 are_ends_of_classes(
     const struct sheets *g, const struct place *low, const struct place *up)
@@ -557,9 +566,9 @@ are_ends_of_classes(
 	return n > 2 && joined + 1 == n;
 }
 
-/* Keeps, of two headings above the same sieves, the lower one and, of two
- * adjacent columns of sieves (No. and mm), the one with more openings; the
- * other becomes a column of its table. */
+/* Keeps only the lower of two headings above the same sieves and, of two
+ * adjacent columns of sieves (No. and mm), only the one with more real sizes.
+ * The other becomes a column of that table. */
 static void
 drop_duplicate_headings(struct sheets *g)
 {
@@ -605,7 +614,7 @@ find_tables_with_headings(struct sheets *g)
 			    !is_cell_of_sieve(g, p.first, c))
 				continue;
 			find_table_end(g, &p);
-			/* "Sieve analysis" is the title of other heads. */
+			/* "Sieve analysis" is a title above other headings. */
 			struct sequence size = sequence_of_sizes(g, &p);
 			bool title =
 			    p.first > r + 1 && size.steps + 1 == size.n;
@@ -615,8 +624,9 @@ find_tables_with_headings(struct sheets *g)
 	drop_duplicate_headings(g);
 }
 
-/* Whether the first cells of a line are heads of their columns, and not the
- * head of the line: there are several, or a number or a feed is below. */
+/* True if the first cells of a line of the sheet are headings of their columns,
+ * not the label of that line: there are several, or a number or a feed is
+ * below. */
 static bool
 are_column_headings(const struct sheets *g, size_t r, size_t c)
 {
@@ -647,8 +657,8 @@ is_pan_row(const struct sheets *g, size_t r, size_t c)
 	       has_number_beside(g, r, c, g->n_col);
 }
 
-/* Numbers that fall, or rise, but not as a count does, and nearly all are
- * openings of real sieves: a table without a head. */
+/* Finds tables without headings: numbers that only fall or only rise, but not
+ * as a count does, and nearly all of which are sizes of real sieves. */
 static void
 find_headless_table(struct sheets *g)
 {
@@ -676,10 +686,11 @@ find_headless_table(struct sheets *g)
 		}
 }
 
-/* Numbers in order, from row r of column c down to before the row returned.
- * sizes: each is above 0, they are spread over a factor of 4 or more, and are
- * no count or time, which goes on by one step; or, phi: they are quarters of
- * phi, some below 0. */
+/* Returns the row after the last of a series of numbers that only rise or only
+ * fall, from row r of column c down.  *sizes: they may be sizes, because all
+ * are above 0, they span a factor of 4 or more, and their steps differ, as
+ * those of a count or a time do not; or because *phi.  *phi: they are quarters
+ * of phi, some below 0. */
 static size_t
 end_of_ordered_numbers(
     const struct sheets *g, size_t r, size_t c, bool *sizes, bool *phi)
@@ -716,8 +727,8 @@ has_same_heading(const struct sheets *g, size_t r, size_t c, size_t other)
 		   cell_at(g, r - 1, other)->text) == 0;
 }
 
-/* Finds the next numbers in order in a column, from row p->last on, that may be
- * sizes and have numbers beside them.  *phi: they may be in phi. */
+/* Finds the next series of numbers in a column, from row p->last on, that may
+ * be sizes and have numbers beside them.  *phi: they may be in phi. */
 static bool
 find_next_ordered_numbers(
     const struct sheets *g, size_t c, struct place *p, bool *phi)
@@ -744,9 +755,10 @@ find_next_ordered_numbers(
 	return false;
 }
 
-/* What no head and no sieve tells: the first numbers in order in each column
- * that has numbers beside it, with the head of those found before.  They may be
- * something else.  below_0: only numbers in phi of which some are below 0. */
+/* Takes series of numbers for sieves, though no heading and no sieve tells: the
+ * first such series in each column that has numbers beside it.  Those after the
+ * first must have its heading.  They may be something else.  below_0: only
+ * series in phi with values below 0. */
 static void
 find_tables_of_numbers(struct sheets *g, bool below_0)
 {
@@ -769,15 +781,15 @@ find_tables_of_any_numbers(struct sheets *g)
 	find_tables_of_numbers(g, false);
 }
 
-/* Comes before others, so that these, in phi, are not taken for sieves. */
+/* Tried before find_headless_table, which would take sizes in phi for mm. */
 static void
 find_tables_of_phi_numbers(struct sheets *g)
 {
 	find_tables_of_numbers(g, true);
 }
 
-/* Finds the tables in a column that the user says has sieves, each from the
- * first sieve with numbers beside it. */
+/* Finds the tables in a column that has sieves according to the user, each from
+ * the first sieve with numbers beside it. */
 static void
 find_tables_in_column(struct sheets *g, size_t c)
 {
@@ -810,8 +822,8 @@ find_tables_in_given_columns(struct sheets *g, const struct layout_range *range)
 		}
 }
 
-/* Whether a row says what the sieves have, "% passing", above none of the
- * columns: heads may go on above it. */
+/* True if a row has only a label such as "% passing" that is about all columns,
+ * so there may be further headings above it. */
 static bool
 is_heading_of_all_columns(
     const struct sheets *g, size_t r, const struct place *p, size_t end)
@@ -825,8 +837,8 @@ is_heading_of_all_columns(
 	return g->across && (n->means & all) != 0 && n->unknown == 0;
 }
 
-/* True if a row above the heading of the sieves is a heading too: it describes
- * the columns and is neither a key with its value nor a title. */
+/* True if row r, above the heading of the sieves, is a heading too: it
+ * describes the columns, and is neither a key with its value nor a title. */
 static bool
 is_further_heading_row(
     const struct sheets *g, size_t r, const struct place *p, size_t end)
@@ -843,7 +855,7 @@ is_further_heading_row(
 	const char *key = cell_at(g, r, p->c)->text;
 	if (!g->across && lexicon_key_from_text(key) != N_KEY)
 		return false;
-	/* A line that `add` writes: cut, "72 m/s, 2026-05-04". */
+	/* The command add writes a line such as cut, "72 m/s, 2026-05-04". */
 	if (strcmp(key, "cut") == 0 && filled == 1 &&
 	    strstr(cell_at(g, r, p->c + 1)->text, ", ") != NULL)
 		return false;
@@ -876,8 +888,8 @@ add_table_row(const struct sheets *g, size_t r, const size_t *col, size_t n,
 		cell_nature_at(g, r, col[i])->used = true;
 }
 
-/* Lists the columns of a table that have anything below the headings: from its
- * sieves to before `end` and, for the first table, those to the left. */
+/* Lists the columns of a table that are not empty: its sieves, then those from
+ * column `from` to before `end`.  Returns their number. */
 static size_t
 list_filled_columns(const struct sheets *g, const struct place *p, size_t from,
     size_t end, size_t *col)
@@ -892,7 +904,8 @@ list_filled_columns(const struct sheets *g, const struct place *p, size_t from,
 			filled = filled || is_cell_filled(g, r, c);
 		for (size_t r = first; r < p->first; r++)
 			headed = headed || is_cell_filled(g, r, c);
-		/* Beyond an empty column only heads show that it goes on. */
+		/* After an empty column, only headings show that the table goes
+		 * on. */
 		if (c > p->c && empty && filled && !headed)
 			break;
 		empty = !filled;
@@ -902,8 +915,8 @@ list_filled_columns(const struct sheets *g, const struct place *p, size_t from,
 	return n;
 }
 
-/* If the sieves are listed twice, as names and in mm, completes rows that have
- * only one of the two. */
+/* If the sieves are listed twice, as names and in mm, fills the cells of the
+ * one from the other. */
 static void
 fill_missing_sieve_cells(struct table *t)
 {
@@ -928,9 +941,10 @@ fill_missing_sieve_cells(struct table *t)
 	}
 }
 
-/* Joins what stands in row r before column end, but in none of the table's
- * columns, with its last row of headings: "m/s" beside "Rotor tip speed", and
- * the speed of the only sample, "Ekeby; belt cut; 73 m/s", above both. */
+/* Joins cells of row r that are before column end, but in none of the table's
+ * columns, to its last row of headings: "m/s" beside "Rotor tip speed"; or the
+ * speed of the only sample, as in "Ekeby; belt cut; 73 m/s", if the row is
+ * above. */
 static void
 join_cells_beside_headings(const struct sheets *g, const struct place *p,
     size_t r, size_t end, bool above, struct table *t)
@@ -954,7 +968,7 @@ join_cells_beside_headings(const struct sheets *g, const struct place *p,
 	}
 }
 
-/* True if the row below the sieves has the speeds of the samples. */
+/* True if row r, below the sieves, has the speeds of the samples. */
 static bool
 is_row_of_speeds(const struct sheets *g, size_t r, const struct place *p)
 {
@@ -968,8 +982,8 @@ is_row_of_speeds(const struct sheets *g, size_t r, const struct place *p)
 	       has_number_beside(g, r, p->c, p->end);
 }
 
-/* Adds the rows below the sieves: sums and the like, and speeds, which head the
- * samples as those above do. */
+/* Adds the rows below the sieves: sums and the like to the foot, and speeds to
+ * the headings, like those above the samples. */
 static void
 add_rows_below(const struct sheets *g, const struct place *p, const size_t *col,
     size_t n, struct table *t)
@@ -1086,8 +1100,8 @@ list_rows_outside_tables(const struct sheets *g, struct layout *layout)
 	}
 }
 
-/* Whether the second of two tables has the headings of the first, those of its
- * columns from that of the sieves on. */
+/* True if two tables have the same headings, except for rows above the heading
+ * of the sieves. */
 static bool
 has_same_headings(const struct table *a, const struct table *b)
 {
@@ -1104,8 +1118,8 @@ has_same_headings(const struct table *a, const struct table *b)
 	return true;
 }
 
-/* True if the numbers of a column go only up, or only down, from the rows of
- * one table through those of another. */
+/* True if the numbers of a column only rise, or only fall, from the first row
+ * of table a to the last of table b. */
 static bool
 goes_on_in_order(const struct table *a, const struct table *b, size_t c)
 {
@@ -1136,7 +1150,7 @@ is_page_number(const char *text)
 	return false;
 }
 
-/* True if a line stands between two tables that none above it repeats: it may
+/* True if a line between two tables differs from all lines above it: it may
  * name another test. */
 static bool
 has_line_of_its_own(const struct layout *layout, const struct table *t,
@@ -1158,8 +1172,9 @@ has_line_of_its_own(const struct layout *layout, const struct table *t,
 	return false;
 }
 
-/* Joins a table that a page ended with its rest on the next: the same headings
- * again, and sieves and cumulative numbers that go on in order. */
+/* Joins a table that was cut at the end of a page with the rest of it on the
+ * next: the same headings are repeated, and the sieves and cumulative numbers
+ * go on in order. */
 static void
 join_continued_tables(struct layout *layout)
 {
@@ -1186,7 +1201,7 @@ join_continued_tables(struct layout *layout)
 	}
 }
 
-/* Sets the line after which lines may be about a table alone. */
+/* Sets t->after, the line after which lines may be about this table alone. */
 static void
 find_end_of_tables_above(const struct layout *layout, struct table *t)
 {
@@ -1229,7 +1244,7 @@ layout_heading_text(const struct table *t, size_t c)
 	return text;
 }
 
-/* Ways to find tables, each tried if those before it found none. */
+/* Ways to find tables.  Each is tried if those before it found none. */
 static void (*const FINDERS[])(struct sheets *) = {find_tables_with_headings,
     find_tables_of_phi_numbers, find_headless_table,
     find_tables_of_any_numbers};

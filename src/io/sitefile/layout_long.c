@@ -1,5 +1,5 @@
-/* Makes a long table wide: a column for each sample, a row for each sieve of
- * any of them.
+/* Makes a long table wide: a column for each sample, and a row for each sieve
+ * that any sample has.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/layout_long.h"
 
@@ -17,24 +17,26 @@
 #include "io/sitefile/site_day.h"
 #include "io/sitefile/lexicon.h"
 
-/* What a column of a long table is for: KEY tells samples apart and what they
- * are, COUNT tells them apart only (a sample's number). */
+/* What a column of a long table is used for.  KEY: its cells tell samples apart
+ * and describe them; COUNT: they only tell samples apart, as numbers do; VALUE:
+ * they are the measured numbers. */
 enum use { UNUSED, KEY, COUNT, VALUE };
 
-/* Of the wide table, whose columns are compared each with all others. */
+/* Limit of the wide table, as each of its columns is compared with all
+ * others. */
 enum { MOST_COLUMNS = 4000 };
 
-/* A row of the long table: its sieve, mm, as an index among the different ones,
- * and the first row of its sample.  column: of its sample in the wide table,
- * for such a first row. */
+/* A row of the long table.  mm: its sieve; size: the index of that sieve among
+ * the different ones; lead: the first row of its sample; column: in such a
+ * first row, the column of the sample in the wide table. */
 struct entry {
 	double mm;
 	size_t size, lead, column;
 };
 
-/* use, head [n_col]; n_value: how many columns are of use VALUE.  entry
- * [n_row].  n_size: how many sieves differ.  sample [n_sample]: the first rows
- * of the samples. */
+/* A long table.  use, head [n_col]: the use and heading of each column, n_value
+ * of which are VALUE.  entry [n_row].  n_size: the number of different sieves.
+ * sample [n_sample]: the first row of each sample. */
 struct longer {
 	struct table *table;
 	enum use *use;
@@ -77,7 +79,8 @@ guess_column_use(const struct table *t, size_t c, const struct head *head)
 	bool other = (head->means & (WORD_SAMPLE | WORD_SPEED)) != 0 &&
 		     (head->means & (COUNTED & ~WORD_PERCENT)) == 0;
 	if (other)
-		return COUNT; /* a number of the sample, or per cent of speed */
+		/* the number of a sample, or per cent of full speed */
+		return COUNT;
 	return VALUE;
 }
 
@@ -87,15 +90,15 @@ identifies_sample(const struct longer *l, size_t c)
 	return l->use[c] == KEY || l->use[c] == COUNT;
 }
 
-/* A row with what it is sorted by: a number or a text. */
+/* A row, and what it is sorted by: a number or a text. */
 struct ranked {
 	double by;
 	char *key;
 	size_t row;
 };
 
-/* Orders the largest number first, texts by their bytes and, among equals, the
- * upper row. */
+/* Orders the largest number first, then texts by their bytes, then rows from
+ * the top. */
 static int
 compare_ranked_rows(const void *a, const void *b)
 {
@@ -113,7 +116,7 @@ number_distinct_sizes(struct longer *l, uint64_t told)
 	const struct table *t = l->table;
 	struct sieve_unit unit =
 	    sieve_unit_from_words(told != 0 ? told : l->head[0].means);
-	/* Of which series they are shows later; here they only differ. */
+	/* The series of mesh numbers is not needed here, only which differ. */
 	if (unit.series == SIEVE_MESH)
 		unit = (struct sieve_unit){1, SIEVE_NONE};
 	FREED struct ranked *ranked = xcalloc(t->n_row, sizeof *ranked);
@@ -133,8 +136,8 @@ number_distinct_sizes(struct longer *l, uint64_t told)
 	}
 }
 
-/* Returns all rows with the cells that identify their samples, sorted by them.
- * The caller frees both. */
+/* Returns all rows, each with the cells that identify its sample, sorted by
+ * these.  The caller frees the rows and their keys. */
 static struct ranked *
 rows_sorted_by_sample(const struct longer *l)
 {
@@ -151,14 +154,15 @@ rows_sorted_by_sample(const struct longer *l)
 	return ranked;
 }
 
-/* Finds the samples.  Returns true if each has each of its sieves once, and
- * some sieves occur for several samples. */
+/* Finds the samples.  Returns true if the table is a long one: there are
+ * several samples, none has a sieve twice, and some sieves occur for several
+ * samples. */
 static bool
 find_samples_of_long_table(struct longer *l)
 {
 	size_t n = l->table->n_row, lead = 0;
 	FREED struct ranked *ranked = rows_sorted_by_sample(l);
-	/* By sieve: 1 + the first row of the last sample that has it. */
+	/* For each sieve, 1 + the first row of the last sample that has it. */
 	FREED size_t *had = xcalloc(l->n_size + 1, sizeof *had);
 	bool once = true;
 	for (size_t i = 0; i < n; i++) {
@@ -179,7 +183,8 @@ find_samples_of_long_table(struct longer *l)
 	       2 * n >= 3 * l->n_size;
 }
 
-/* True if a sample, by its first row, comes after another by their numbers. */
+/* True if the sample with first row a has a higher number than that with first
+ * row b. */
 static bool
 is_later_sample(const struct longer *l, size_t a, size_t b)
 {
@@ -206,8 +211,9 @@ sort_samples_by_number(struct longer *l)
 		l->entry[l->sample[i]].column = 1 + i * l->n_value;
 }
 
-/* Returns the heading of the column of a sample, by its first row: "Product 69
- * m/s Passing %". */
+/* Returns the heading of a column of the wide table: "Product 69 m/s Passing
+ * %".  lead: the first row of its sample; value: the column of its numbers in
+ * the long table. */
 static char *
 sample_heading(const struct longer *l, size_t lead, size_t value)
 {
@@ -240,7 +246,7 @@ sample_heading(const struct longer *l, size_t lead, size_t value)
 	return text;
 }
 
-/* Returns the name of a sample, by its first row: all cells that identify
+/* Returns the name of the sample with first row `lead`: all cells that identify
  * it. */
 static char *
 sample_name(const struct longer *l, size_t lead)
@@ -254,7 +260,8 @@ sample_name(const struct longer *l, size_t lead)
 	return text;
 }
 
-/* Returns an empty row of n cells at the position of another. */
+/* Returns an empty row of n cells with the line and first cell of another
+ * row. */
 static struct row
 new_empty_row(size_t n, const struct row *from)
 {
@@ -268,7 +275,7 @@ new_empty_row(size_t n, const struct row *from)
 	return row;
 }
 
-/* True if the wide table has room for all samples; otherwise false with a
+/* Returns true if the wide table has room for all samples, else false with a
  * fault. */
 static bool
 has_room_for_samples(const struct longer *l)
@@ -284,8 +291,8 @@ has_room_for_samples(const struct longer *l)
 		   most, l->n_sample, l->n_value, t->sheet->path);
 }
 
-/* Returns the day of a sample if all of its rows have the same in column c, or
- * NULL. */
+/* Returns the day of a sample if all of its rows have the same text in column
+ * c, else NULL. */
 static char *
 day_in_all_rows(const struct longer *l, size_t lead, size_t c)
 {
@@ -353,7 +360,7 @@ widen_table(struct longer *l)
 			if (l->use[c] == VALUE)
 				*to++ = t->row[r].cell[c];
 	}
-	wide.foot = NULL; /* sums of all samples together say nothing */
+	wide.foot = NULL; /* sums over several samples mean nothing */
 	wide.n_foot = 0;
 	*t = wide;
 	old.title = NULL;
@@ -362,8 +369,8 @@ widen_table(struct longer *l)
 	layout_table_clear(&old);
 }
 
-/* If nothing else identifies the samples, a column headed "ID" or with dates
- * may: the first such column that makes the table a long one does. */
+/* Looks for a column headed "ID", or with dates, that identifies the samples,
+ * if nothing else does.  The first that makes the table a long one is used. */
 static bool
 is_long_by_id_or_date(struct longer *l)
 {

@@ -1,6 +1,6 @@
-/* Looks words up in one table: English, Swedish, German, French, Spanish,
- * Portuguese, Finnish, Polish, Italian and some Norwegian, Dutch, Russian and
- * Chinese, without accents.
+/* Looks words up in one table, without accents: English, Swedish, German,
+ * French, Spanish, Portuguese, Finnish, Polish, Italian and some Norwegian,
+ * Dutch, Russian and Chinese.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/lexicon.h"
 
@@ -14,8 +14,8 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-/* The terms are those of ISO 3310 and EN 933-1 in each language, and what
- * people write for them. */
+/* The terms of ISO 3310 and EN 933-1 in each language, and what people write
+ * instead of them. */
 static const struct {
 	uint64_t means;
 	const char *words;
@@ -187,7 +187,8 @@ static const struct {
 	"mtrl periferica на di in частный"},
 };
 
-/* Parts of compounds that say enough: Siebdurchgangsanteil. */
+/* Parts of compound words that are enough to tell their meaning:
+ * Siebdurchgangsanteil. */
 static const struct {
 	const char *part;
 	uint64_t means;
@@ -214,15 +215,17 @@ struct known {
 	uint64_t means;
 };
 
-/* All words, each once, by their bytes; and the two letters that parts begin
- * with, so that a long text is passed over at the cost of its bytes. */
+/* word: all words, each once, sorted by their bytes.  begins: the first two
+ * bytes of all PARTS, so that a long text is searched in time proportional to
+ * its length. */
 struct index {
 	struct known word[1024];
 	size_t n, longest;
 	bool begins[UCHAR_MAX + 1][UCHAR_MAX + 1];
 };
 
-/* Returns the only index, which lexicon_word_meanings fills. */
+/* Returns the one index, which lexicon_word_meanings fills at its first
+ * call. */
 static struct index *
 lexicon_index(void)
 {
@@ -286,8 +289,8 @@ meanings_of_contained_word(
 	return best < ARRAY_LEN(PARTS) ? PARTS[best].means : 0;
 }
 
-/* Returns the meanings that all words share that begin with an abbreviation,
- * "umfangsgeschw." without its point, or 0. */
+/* Returns the meanings shared by all words that begin with an abbreviation
+ * ("umfangsgeschw." without its point), or 0. */
 static uint64_t
 meanings_of_abbreviation(const char *start, size_t n)
 {
@@ -327,8 +330,7 @@ lexicon_meanings(const char *text, size_t *unknown)
 	uint64_t means = 0;
 	size_t none = 0;
 	for (char *p = folded; *p != '\0';) {
-		/* Both signs for micro; text_fold_case_and_accents leaves them.
-		 */
+		/* text_fold_case_and_accents keeps both signs for micro. */
 		char *word = p;
 		while (*p != '\0' &&
 		       (strchr(LETTERS, *p) != NULL || (*p & 0x80) != 0))
@@ -357,7 +359,7 @@ lexicon_meanings(const char *text, size_t *unknown)
 	return means;
 }
 
-/* In English, Swedish and German. */
+/* Words of time in English, Swedish and German. */
 static const char TIMES[] =
     " mon monday tue tues tuesday wed wednesday thu thur thurs thursday fri "
     "friday sat saturday sun sunday mandag tis tisdag ons onsdag tor tors "
@@ -377,7 +379,8 @@ lexicon_is_word_of_time(const char *word)
 	return strstr(TIMES, whole) != NULL;
 }
 
-/* Parts of the labels of dates: of all; of the day of sampling; of others. */
+/* Parts of words in the labels of dates: of any date, of the day of sampling,
+ * and of other days. */
 static const char *const DAYS[] = {"date", "datum", "dato", "fecha", "data",
     "dnia", "pvm", "paivamaara", "sampled", "provta", "provdat", "probenahme",
     "entnahme"};
@@ -414,7 +417,7 @@ lexicon_is_label_of_day(const char *label)
 	return lexicon_day_of_label(label) >= DAY_ANY;
 }
 
-/* In the words of text_fold_case_and_accents; the first of each is that of
+/* The keys, folded by text_fold_case_and_accents.  The first of each is that of
  * tipspeed-site(5). */
 static const char *const KEYS[N_KEY] = {
     [KEY_SITE] =
@@ -430,7 +433,6 @@ static const char *const KEYS[N_KEY] = {
     [KEY_TOP_SIZE] = "top_size_mm|top size mm|top size (mm)",
 };
 
-/* True if a key is in a list. */
 static bool
 is_key_in_list(const char *key, const char *list)
 {

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Meanings of a word, as bits; a compound word has several. */
+/* The meanings of a word, as bits.  A word can have several. */
 #define WORD_FEED (UINT64_C(1) << 0)
 #define WORD_PRODUCT (UINT64_C(1) << 1)
 #define WORD_SD (UINT64_C(1) << 2)
@@ -24,8 +24,8 @@
 #define WORD_M (UINT64_C(1) << 13)
 #define WORD_INCH (UINT64_C(1) << 14)
 #define WORD_SPEED (UINT64_C(1) << 15)
-#define WORD_LIMIT (UINT64_C(1) << 16)  /* of a specification, not a sample */
-#define WORD_OTHER (UINT64_C(1) << 17)  /* remark, date: not a sieve */
+#define WORD_LIMIT (UINT64_C(1) << 16)  /* a limit, not a sample */
+#define WORD_OTHER (UINT64_C(1) << 17)  /* remarks, dates: not a sieve */
 #define WORD_SAMPLE (UINT64_C(1) << 18) /* a sample of unstated material */
 #define WORD_PAN (UINT64_C(1) << 19)
 #define WORD_TOTAL (UINT64_C(1) << 20)
@@ -38,19 +38,19 @@
 #define WORD_TYLER (UINT64_C(1) << 27)
 #define WORD_BS (UINT64_C(1) << 28)
 #define WORD_ASTM (UINT64_C(1) << 29)
-#define WORD_WEIGHED (UINT64_C(1) << 30) /* before sieving: M1 of EN 933-1 */
+#define WORD_WEIGHED (UINT64_C(1) << 30) /* before sieving, M1 of EN 933-1 */
 #define WORD_MACHINE (UINT64_C(1) << 32)
-#define WORD_MEAN (UINT64_C(1) << 31) /* of several samples */
+#define WORD_MEAN (UINT64_C(1) << 31) /* of samples */
 #define WORD_PHI (UINT64_C(1) << 33)
-#define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
+#define WORD_NUMBER (UINT64_C(1) << 34) /* number of a sieve or sample */
 
-/* True for a word, folded, that says when a sample was taken, not of what:
- * "tue", "november", "morning", "skift". */
+/* True for a folded word that says when a sample was taken: "tue", "november",
+ * "morning", "skift". */
 bool lexicon_is_word_of_time(const char *word);
 
-/* What the label of a date says of it: that it is another day than that of
- * sampling, as that of the analysis; nothing; that it is a day; that it is the
- * day of sampling. */
+/* What the label of a cell says about a date in it.  DAY_OTHER: it is another
+ * day than that of sampling, such as that of the analysis; DAY_NONE: nothing;
+ * DAY_ANY: it is a day; DAY_SAMPLED: it is the day of sampling. */
 enum lexicon_day { DAY_OTHER, DAY_NONE, DAY_ANY, DAY_SAMPLED };
 enum lexicon_day lexicon_day_of_label(const char *label);
 
@@ -61,11 +61,11 @@ bool lexicon_is_label_of_day(const char *label);
  * text_fold_case_and_accents, or 0 if unknown. */
 uint64_t lexicon_word_meanings(const char *word, size_t n);
 
-/* Returns the combined meanings of all words in a text.  unknown: out, the
- * number of words without a meaning; may be NULL. */
+/* Returns the combined meanings of all words in a text.  *unknown gets the
+ * number of words without a meaning; it may be NULL. */
 uint64_t lexicon_meanings(const char *text, size_t *unknown);
 
-/* Keys in the lines above the tables. */
+/* Keys that lines above the tables begin with. */
 enum lexicon_key {
 	KEY_SITE,
 	KEY_ROCK,

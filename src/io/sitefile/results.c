@@ -27,7 +27,8 @@ first_word(const char *text)
 	return xstrndup(text, strcspn(text, " "));
 }
 
-/* Only results of a site name one; see tell_about in cmd/session/redirect.c. */
+/* Results name their site on the sheet "About", a template does not; see
+ * add_about_sheet in cmd/session/redirect.c. */
 static char *
 command_on_about_sheet(const struct sheet *sheet)
 {
@@ -75,14 +76,14 @@ command_that_made_file(const char *path)
 	const char *note;
 	struct error_list errors = {0};
 	struct stat about;
-	/* What is in a pipe can be read once. */
+	/* Not a pipe, which can be read only once. */
 	FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode)
 			 ? fopen(path, "rb")
 			 : NULL;
 	size_t n = file != NULL ? fread(bytes, 1, sizeof bytes, file) : 0;
 	if (file != NULL)
 		fclose(file);
-	/* A workbook is packed; one of results is small. */
+	/* A workbook must be read whole; one with results is small. */
 	if (n > 2 && memcmp(bytes, "PK", 2) == 0)
 		return about.st_size <= MOST ? command_in_workbook(path) : NULL;
 	while (n > 0 && bytes[n - 1] != '\n')

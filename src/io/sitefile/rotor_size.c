@@ -1,5 +1,5 @@
-/* Scans a text word by word: a number with a unit of length after a word for
- * the rotor, or before it, is the diameter.
+/* Scans a text word by word.  A number with a unit of length, after or before a
+ * word for the rotor, is its diameter.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/rotor_size.h"
 
@@ -15,18 +15,18 @@
 
 static const double LEAST_MM = 100, MOST_MM = 5000;
 
-/* What the words so far lead to.  rotor, diameter: a word for it came, and none
- * of another thing after.  unit: mm in a unit that came after them, or 0.
- * ahead: mm, of a number that nothing but blanks and words for a diameter
- * follow.  alone: a diameter can be the rotor's though the rotor is not named.
- * found: as rotor_diameter_mm_in_text returns it. */
+/* What the words read so far suggest.  rotor, diameter: there was a word for
+ * it, and none for something else since.  unit: the unit that followed these
+ * words, in mm, or 0.  ahead: the last number, mm, if only blanks and words for
+ * a diameter have followed it.  alone: a diameter may be the rotor's although
+ * the rotor is not named.  found: what rotor_diameter_mm_in_text returns. */
 struct search {
 	bool machine, alone, rotor, diameter;
 	double unit, ahead, found;
 };
 
-/* Returns the folded text, with a word in place of each sign for a diameter
- * that is not part of another word: O with a stroke, phi, and U+2300. */
+/* Returns the folded text, with the word "diameter" in place of each sign for
+ * it that is not part of another word: O with a stroke, phi, and U+2300. */
 static char *
 replace_diameter_signs(const char *text)
 {
@@ -70,7 +70,8 @@ word_bytes(const char *p)
 	return n;
 }
 
-/* Returns a unit of length, n bytes at p, in mm; 0 if it is none. */
+/* Returns the length of a unit, n bytes at p, in mm; 0 if it is not a unit of
+ * length. */
 static double
 mm_of_unit(const char *p, size_t n)
 {
@@ -103,9 +104,9 @@ record_rotor_diameter(struct search *s, double mm)
 	s->found = differs ? -1 : mm;
 }
 
-/* Reads a number with a decimal point or comma at *text and moves *text after
- * it.  In 1,050 mm the comma separates thousands, as no rotor is that small.
- * unit: mm. */
+/* Reads a number of n bytes, with a decimal point or comma, at *text, moves
+ * *text past it, and returns it in mm.  In 1,050 mm the comma separates
+ * thousands, as no rotor is as small as 1.05 mm. */
 static double
 parse_number_in_mm(const char **text, size_t n, double unit)
 {
@@ -133,8 +134,8 @@ number_bytes(const char *p)
 	return decimals ? n + 1 + strspn(p + n + 1, "0123456789") : n;
 }
 
-/* True if a number that ends at `end` has no unit and is not part of a range: a
- * word of `word` bytes, if any, follows at `after`. */
+/* True if a number that ends at `end` has no unit and is not part of a range.
+ * after: what follows its blanks, which begins with a word of `word` bytes. */
 static bool
 is_number_without_unit(const char *end, const char *after, size_t word)
 {
@@ -165,7 +166,7 @@ parse_rotor_number(struct search *s, const char **text)
 	s->rotor = s->diameter = false;
 	s->unit = 0;
 	*text = unit > 0 ? after + word : *text;
-	*text += unit > 0 && **text == '.'; /* of in. */
+	*text += unit > 0 && **text == '.'; /* the point of "in." */
 }
 
 static void
@@ -188,9 +189,9 @@ rotor_parse_word(struct search *s, const char *word, size_t n)
 	}
 }
 
-/* True if a diameter may be the rotor's although the line does not name it: the
- * line is about a machine or a speed, and not about sieves, which have
- * diameters too. */
+/* True if a diameter in this line may be the rotor's although the rotor is not
+ * named: the line is about a machine or a speed, and not about sieves, which
+ * have diameters too. */
 static bool
 is_unnamed_rotor_diameter(const char *text, const char *folded)
 {

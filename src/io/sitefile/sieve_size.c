@@ -1,4 +1,4 @@
-/* Finds the opening of a sieve from the words of a cell: by name in a table of
+/* Finds the opening of a sieve from the text of a cell: by name in a table of
  * standard sieves, or by number and unit.  Recognises pans.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/sieve_size.h"
@@ -14,12 +14,12 @@
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
 
-/* Coarsest first.  name, number, mm: ASTM E11-20, Table 1, alternative and
- * standard designation; the number is of inches in the first N_INCHES.
- * Openings are the standard's own, which are not the inches times 25.4.  tyler,
- * bs: the mesh number of the Tyler standard screen scale, and of BS 410 up to
- * its edition of 1976, whose opening is nearest, as the comparison tables of
- * both (and of ASTM E11) have them; or 0. */
+/* Standard sieves, coarsest first.  name, number, mm: from ASTM E11-20, Table
+ * 1, alternative and standard designation; the number of the first N_INCHES is
+ * in inches.  The openings are those of the standard, which are not exactly
+ * 25.4 times the inches.  tyler, bs: the mesh number with the nearest opening
+ * in the Tyler standard screen scale, and in BS 410 up to its edition of 1976,
+ * from the comparison tables of both and of ASTM E11; or 0. */
 enum { N_INCHES = 23 };
 static const struct {
 	const char *name;
@@ -52,14 +52,14 @@ static const struct {
     {"No. 400", 400, 0.038, 400, 400}, {"No. 450", 450, 0.032, 0, 0},
     {"No. 500", 500, 0.025, 0, 0}, {"No. 635", 635, 0.02, 0, 0}};
 
-/* Openings of ISO 3310-1 and EN 933-2 that ASTM E11 does not have, mm. */
+/* Openings in ISO 3310-1 and EN 933-2 that are not in ASTM E11, mm. */
 static const double OTHERS[] = {80, 56, 40, 35.5, 28, 20, 18, 14, 12, 10, 9,
     7.1, 6, 5, 4.5, 3.55, 3.15, 3, 2.5, 2.24, 1.8, 1.6, 1.25, 1.12, 0.9, 0.8,
     0.63, 0.56, 0.45, 0.4, 0.315, 0.28, 0.224, 0.2, 0.16, 0.14, 0.112, 0.1,
     0.08, 0.071, 0.056, 0.05, 0.04, 0.036};
 
 /* Reads "4", "3/8", "3 1/2", "3-1/2" or "0.530" at *text, which begins with a
- * digit or a point, and moves *text after it. */
+ * digit or a point, and moves *text past it. */
 static double
 parse_mixed_fraction(const char **text)
 {
@@ -79,8 +79,8 @@ parse_mixed_fraction(const char **text)
 	return whole;
 }
 
-/* Reads the word at *text as a series and moves *text after it; SIEVE_NONE if
- * it does not belong to the name of a sieve. */
+/* Reads the series that the word at *text states, and moves *text past it.
+ * Returns SIEVE_NONE if the word cannot be part of a sieve name. */
 static enum sieve_series
 parse_series_word(const char **text)
 {
@@ -111,8 +111,8 @@ parse_series_word(const char **text)
 	return SIEVE_NONE;
 }
 
-/* Returns the series that a name itself states ("BS 7 mesh"), and its
- * number. */
+/* Returns the series that a name states ("BS 7 mesh"), and its number in
+ * *value; SIEVE_NONE if the text is not a sieve name. */
 static enum sieve_series
 parse_sieve_series_and_number(const char *text, double *value)
 {
@@ -142,7 +142,8 @@ parse_sieve_series_and_number(const char *text, double *value)
 	return good && *value > 0 && isfinite(*value) ? series : SIEVE_NONE;
 }
 
-/* Returns the opening of the sieve with a number in a series; NAN: none. */
+/* Returns the opening, mm, of the sieve with this number in a series, or
+ * NAN. */
 static double
 opening_of_number(enum sieve_series series, double number)
 {
@@ -158,8 +159,8 @@ opening_of_number(enum sieve_series series, double number)
 	return NAN;
 }
 
-/* Returns the opening of a real sieve that is nearest to a size and differs
- * from it by less than a share of it; NAN if there is none. */
+/* Returns the opening of the standard sieve nearest to a size, if it differs
+ * from the size by less than the given share of it; else NAN. */
 static double
 nearest_sieve_opening(double mm, double share)
 {
@@ -176,7 +177,8 @@ nearest_sieve_opening(double mm, double share)
 	return nearest;
 }
 
-/* Decimal inches are the metric opening rounded: 0.0469 is 1.18 mm. */
+/* Returns the standard opening near a size in inches, because decimal inches
+ * are rounded metric openings (0.0469 is 1.18 mm); else the size itself, mm. */
 static double
 mm_of_inches(double inches)
 {
@@ -277,17 +279,17 @@ sieve_unit_from_words(uint64_t means)
 	return unit;
 }
 
-/* Sizes in phi go by quarters. */
+/* The smallest size in phi above 0, as these are stated in quarters. */
 static const double LEAST_PHI = 0.25;
 
-/* True for what remains below the finest sieve, as laboratories call it in
- * several languages: pan, Botten, <0.063. */
+/* True for a name of what is below the finest sieve, in several languages: pan,
+ * Botten, <0.063. */
 static bool
 is_pan_name(const char *text)
 {
 	size_t unknown;
 	double below;
-	/* -0.063 is below that sieve; what is coarser may be phi. */
+	/* -0.063 means below that sieve, but -0.5 may be phi. */
 	if (text[0] == '-' && text_parse_number(text + 1, &below))
 		return below > 0 && below < LEAST_PHI;
 	if (text[0] == '<') {
@@ -302,8 +304,8 @@ is_pan_name(const char *text)
 	       (means & (WORD_TOTAL | WORD_LOSS)) == 0;
 }
 
-/* Cuts "63 um" to 63 and returns the unit in mm; 0 if no unit of size
- * follows. */
+/* Cuts the cell "63 um" to 63 and returns the length of the unit, mm; 0 if
+ * there is no unit of length. */
 static double
 sieve_size_cut_unit(
     const struct sheet *sheet, struct cell *cell, char copy[static 40])
@@ -327,9 +329,9 @@ sieve_size_cut_unit(
 	return unit.mm;
 }
 
-/* Makes the cell the lower of the two sizes of a class, "11,2/16", "11,2 - 16"
- * or "-16 +11.2", or the size in "> 22,4" or "+22.4".  upper: out, the other
- * size; 0: none. */
+/* Makes a cell the lower of the two sizes of a class, "11,2/16", "11,2 - 16" or
+ * "-16 +11.2", or the size in "> 22,4" or "+22.4".  *upper gets the other size,
+ * or 0.  Returns false if the cell is not a class. */
 static bool
 cut_class_to_one_size(const struct sheet *sheet, struct cell *cell,
     char copy[static 40], double *upper)
@@ -360,7 +362,7 @@ cut_class_to_one_size(const struct sheet *sheet, struct cell *cell,
 	return true;
 }
 
-/* Converts a size to mm, with 9 decimals; unit: mm, or 0 for mm. */
+/* Converts a size to mm, rounded to 9 decimals.  unit: mm; 0 means 1 mm. */
 static double
 mm_of_value_in_unit(double value, double unit)
 {
@@ -395,13 +397,13 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 	*mm = NAN;
 	if (cell.kind == CELL_DATE || cell.text[0] == '\0')
 		return SIEVE_IS_NONE;
-	/* A number alone is a name only where the head says so. */
+	/* A number alone is a name only if the heading says so. */
 	if (unit.series == SIEVE_NONE && cell.kind == CELL_TEXT &&
 	    cell.value == AS_NUMBER && cell.number > 0) {
 		*mm = mm_of_value_in_unit(cell.number, unit.mm);
 		return SIEVE_IS_SIZE;
 	}
-	/* -200 of mesh numbers is what passes the last. */
+	/* With mesh numbers, -200 is what passes No. 200. */
 	bool mesh = unit.series != SIEVE_NONE && unit.series != SIEVE_PHI &&
 		    unit.series != SIEVE_INCH && cell.text[0] == '-' &&
 		    sieve_name_mm(cell.text + 1, unit.series) > 0;

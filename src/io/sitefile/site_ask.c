@@ -1,5 +1,5 @@
-/* Makes the questions that a sheet leaves open, in the words of their
- * answers.
+/* Words the questions that a sheet leaves open, and proposes answers in the
+ * form of options of load.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_ask.h"
 
@@ -33,7 +33,7 @@ site_ask_find_ambiguous_number(struct open *open, const struct table *t)
 			}
 }
 
-/* "100, 97.8, 92.9": the first cells of a column. */
+/* Returns the first filled cells of a column: "100 97.8 92.9". */
 static char *
 first_values_text(const struct table *t, size_t at)
 {
@@ -49,8 +49,8 @@ first_values_text(const struct table *t, size_t at)
 	return list;
 }
 
-/* Returns the name of a sample in its sheet or, if no heading names samples,
- * the lowest of its own. */
+/* Returns the name that the sheet gives a sample or, if no heading names
+ * samples, the lowest heading of its column. */
 static const char *
 name_of_sample(const struct column *c)
 {
@@ -71,8 +71,9 @@ add_column_to_question(struct site_ask *ask, const struct table *t, size_t at,
 		.open = open};
 }
 
-/* True if samples are better identified by name: those of a long table, whose
- * columns have no numbers of their own, or many samples. */
+/* True if it is better to ask for samples by name than by column: in a long
+ * table, whose columns have no numbers of their own, or if there are many
+ * samples. */
 static bool
 is_better_asked_by_sample(
     struct table *const *table, size_t n_table, const struct columns *all)
@@ -96,8 +97,8 @@ is_better_asked_by_sample(
 	return true;
 }
 
-/* True if each table is alone on a sheet with a name of its own, and has one
- * sample, so that the names of the sheets tell the samples apart. */
+/* True if each table has one sample and is alone on a sheet with a name of its
+ * own, so that the names of the sheets tell the samples apart. */
 static bool
 is_better_asked_by_sheet(
     struct table *const *table, size_t n_table, const struct columns *all)
@@ -115,8 +116,8 @@ is_better_asked_by_sheet(
 	return n_table > 1;
 }
 
-/* Describes what a column seems to be; the first without a role is the feed if
- * there is no other, and then sets *feed. */
+/* Describes what a column seems to be.  If there is no feed yet (*feed), the
+ * first column without a role is called the feed, and *feed set. */
 static char *
 describe_guessed_role(const struct column *c, bool *feed)
 {
@@ -128,7 +129,8 @@ describe_guessed_role(const struct column *c, bool *feed)
 	return xasprintf("feed%s", role + strcspn(role, " "));
 }
 
-/* False if two samples are known to be of different sites or machines. */
+/* Returns false if two samples are known to come from different sites or
+ * machines. */
 static bool
 is_of_same_site(const struct column *a, const struct column *b)
 {
@@ -144,8 +146,8 @@ add_sieves_to_question(struct site_ask *ask, const struct table *t, bool open)
 	    ask, t, 0, site_sieve_heading_cell(t).text, sieve, open);
 }
 
-/* True if tables on one sheet have the same columns, and their titles say of
- * which sample each is: then columns= says for all what the numbers are. */
+/* True if tables on one sheet have the same columns, and their titles say which
+ * sample each is.  Then one columns= can say for all what the numbers are. */
 static bool
 have_titles_for_samples(
     struct table *const *table, size_t n_table, const struct columns *all)
@@ -167,8 +169,8 @@ have_titles_for_samples(
 	return same;
 }
 
-/* Lists the quantities of the columns of a table, without those that are open
- * where another one has the sample. */
+/* Lists the columns of a table with their quantities.  If one of them is
+ * certain, open columns get "-" and are left out of the proposed answer. */
 static void
 list_quantities(
     struct site_ask *ask, const struct table *t, const struct columns *all)
@@ -196,9 +198,9 @@ list_quantities(
 	ask->settle = xasprintf("columns=\"%s\"", text);
 }
 
-/* Lists the columns in the words of columns= or, if they are better asked about
- * by sample or sheet, of samples=; of many samples the first two show how to
- * name all.  Of several sites the first is proposed. */
+/* Lists the columns in the words of columns=, or of samples= if it is better to
+ * ask by sample or sheet.  Of many samples, the first two show how to name all.
+ * If there are several sites, the first is proposed. */
 static void
 list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
@@ -225,7 +227,8 @@ list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
 			if (c->table != t || c->twin > 0)
 				continue;
 			char *guess = describe_guessed_role(c, &feed);
-			if (by_sheet) /* its columns state their quantities */
+			/* the sheet's headings state the quantity */
+			if (by_sheet)
 				guess[strcspn(guess, " ")] = '\0';
 			FREED char *name =
 			    by_sheet    ? xstrdup(samples_sheet_label(t->sheet))
@@ -281,8 +284,9 @@ files_and_options_text(const struct site_request *q, const char *settle)
 	return list;
 }
 
-/* Returns the line that loads the files with the answer.  Where a sheet is only
- * read for its feed, these options do not exist: the sheet is written anew. */
+/* Returns the command that loads the files with the answer.  If a sheet is read
+ * only for its feed, its command does not have these options, so the sheet is
+ * loaded and written anew. */
 static char *
 load_command_with_answer(const struct site_request *q, const char *settle)
 {
@@ -302,7 +306,8 @@ hint_to_write_feed_again(const struct site_request *q)
 	return q->feed ? tr(", and write it again for feed=") : "";
 }
 
-/* Adds the question as a fault.  Returns true. */
+/* Reports the question as a fault, whose hint is the command with the proposed
+ * answer.  Returns true. */
 static bool __attribute__((format(printf, 5, 6)))
 refuse_with_question(const struct site_request *q, const struct table *t,
     struct cell where, const struct site_ask *ask, const char *what, ...)
@@ -318,8 +323,8 @@ refuse_with_question(const struct site_request *q, const struct table *t,
 	    line);
 }
 
-/* Tables [n] of one sheet in order, the columns of all, and the proposed range
- * of tables, first to last. */
+/* The tables [n] of a sheet in order, the columns of all, and the tables
+ * proposed as the site, first to last. */
 struct tables {
 	struct table *const *table;
 	size_t n, first, last;
@@ -327,7 +332,7 @@ struct tables {
 };
 
 /* True if table k may belong to the site whose feed is in table `feed`.  like:
- * a table of products that does, or NULL. */
+ * a table of products that does belong to it, or NULL. */
 static bool
 is_table_of_same_site(
     const struct tables *s, size_t k, size_t feed, const struct table *like)
@@ -379,8 +384,8 @@ extend_box_by_rows(struct site_box *box, const struct row *row, size_t n)
 	}
 }
 
-/* Returns the cells of the first n_row rows of a table; its whole lines if the
- * sieves are in one row. */
+/* Returns the range of cells of a table's first n_row rows; or its whole lines,
+ * if the sieves are in one line. */
 static struct site_box
 box_of_table_rows(const struct table *t, size_t n_row)
 {
@@ -406,7 +411,7 @@ box_of_table_rows(const struct table *t, size_t n_row)
 	return box;
 }
 
-/* Describes what a table seems to contain: "feed, product@69". */
+/* Describes the samples that a table seems to contain: "feed, product@69". */
 static char *
 describe_table_contents(const struct table *t, const struct columns *all)
 {
@@ -458,7 +463,7 @@ list_tables_in_question(const struct tables *s, struct site_ask *ask)
 	ask->settle = xasprintf("range=%s", range);
 }
 
-/* Returns the second of several tables with a feed each, or NULL. */
+/* Returns the second table that has a feed for all runs, or NULL. */
 static const struct table *
 table_with_second_feed(const struct columns *all)
 {
@@ -519,9 +524,9 @@ ask_about_sieves_listed_twice(
 	    again.text);
 }
 
-/* If nothing distinguishes feed from product in tables below each other,
- * proposes the one with most sieves, from which the others may be extracts.
- * False if there is one table, or something distinguishes them. */
+/* Proposes the table with most sieves, if tables below each other do not tell
+ * feed from product; the others may be extracts from it.  Returns false if
+ * there is only one table, or a column has a role. */
 static bool
 propose_largest_table(struct tables *s)
 {
@@ -536,7 +541,8 @@ propose_largest_table(struct tables *s)
 		if (t->n_row > s->table[s->first]->n_row)
 			s->first = i;
 	}
-	/* Only those of its sheet have a range in common. */
+	/* A range= covers one sheet, so only the tables of that sheet are
+	 * listed. */
 	const struct sheet *sheet = s->table[s->first]->sheet;
 	while (s->table[0]->sheet != sheet) {
 		s->table++;
@@ -549,8 +555,8 @@ propose_largest_table(struct tables *s)
 	return below;
 }
 
-/* The only number of a column that is more than 100, if the others can be
- * percentages; or NULL. */
+/* Returns the only number of a column above 100, if all others can be
+ * percentages; else NULL. */
 static const struct cell *
 only_number_above_100(const struct column *c)
 {
@@ -574,8 +580,9 @@ only_number_above_100(const struct column *c)
 	return n >= 4 && n_above == 1 && !mass ? above : NULL;
 }
 
-/* Suggests @SPEED after the files that have no feed: numbers of columns do not
- * distinguish files.  Without any feed, the first may have it. */
+/* Changes the hint to @SPEED after each file without a feed, because column
+ * numbers do not tell files apart.  If no file has a feed, the first may be the
+ * one. */
 static void
 suggest_speeds_of_files(const struct site_request *q, const struct columns *all,
     struct error *error)
@@ -598,8 +605,8 @@ suggest_speeds_of_files(const struct site_request *q, const struct columns *all,
 	error_hint(error, "say their speeds: load %s", files);
 }
 
-/* Asks whether two samples at one speed, first and the next like it, are
- * repeats. */
+/* Asks whether two samples at one speed are repeats: `first` and the next one
+ * that differs from it in name. */
 static bool
 ask_about_unlike_samples(const struct site_request *q,
     const struct columns *all, const struct column *first, struct site_ask *ask)
@@ -616,7 +623,7 @@ ask_about_unlike_samples(const struct site_request *q,
 	    sheet_bytes_to_show(two), two);
 }
 
-/* Asks which samples are meant, of several sites or machines. */
+/* Asks which samples to read, if they come from several sites or machines. */
 static bool
 ask_whose_samples(const struct site_request *q, const struct columns *all,
     const struct column *first, struct site_ask *ask)
@@ -633,7 +640,7 @@ ask_whose_samples(const struct site_request *q, const struct columns *all,
 	    sheet_bytes_to_show(two), two);
 }
 
-/* Asks what a column is, or a line, where the sheet lies on its side. */
+/* Asks what a column is; or a line, if the samples are in lines. */
 static bool
 ask_what_it_is(const struct site_request *q, const struct column *c, bool speed,
     struct site_ask *ask)
@@ -655,7 +662,7 @@ ask_what_it_is(const struct site_request *q, const struct column *c, bool speed,
 	    t->number[c->at], sheet_bytes_to_show(name), name, values);
 }
 
-/* Asks about the first open column and, if need be, its speed. */
+/* Asks about the first open column and, if it is not known, its speed. */
 static bool
 ask_about_open_column(const struct site_request *q, const struct column *first,
     const struct columns *all, struct site_ask *ask)
@@ -751,7 +758,8 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	return ask_about_open_column(q, first, all, ask);
 }
 
-/* Returns the next sieve above `mm`, of the series of the column's sieves. */
+/* Returns the next sieve above a size, mm, in the series of the column's
+ * sieves. */
 static double
 next_sieve_up(const struct column *c, double mm)
 {
@@ -766,15 +774,16 @@ next_sieve_up(const struct column *c, double mm)
 double
 site_ask_size_above_feed(const struct column *c)
 {
-	/* Sieve analyses are stated to 0.1 %: this is 100.0. */
+	/* Sieve analyses are stated to 0.1 %, so this is 100.0. */
 	const double ALL_BUT = 99.95;
 	size_t at = c->below - 1;
 	return c->pct[at] >= ALL_BUT ? next_sieve_up(c, c->table->mm[at]) : 0;
 }
 
-/* True if the sizes may be the upper ends of classes, read as sieves: much lies
- * on the coarsest and, with no pan, nothing passes the finest, while as classes
- * the same numbers leave nothing coarser and fines below. */
+/* True if the sizes may be the upper ends of classes rather than sieves: much
+ * is retained on the coarsest and, without a pan, nothing passes the finest.
+ * Read as classes, the same numbers leave nothing coarser, and fines below the
+ * finest size. */
 static bool
 may_sizes_be_upper_ends(const struct column *c)
 {
@@ -789,7 +798,8 @@ may_sizes_be_upper_ends(const struct column *c)
 	       c->pct[at] < 100 - MUCH && fabs(c->pct[finest]) < NOTHING;
 }
 
-/* Asks what the sizes are, and proposes neither. */
+/* Asks whether the sizes are sieves or upper ends of classes, and proposes
+ * neither. */
 static void
 ask_whether_upper_ends(const struct column *c, const struct site_request *q,
     double coarser, struct site_ask *ask)

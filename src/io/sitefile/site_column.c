@@ -45,7 +45,8 @@ site_unit_index(enum unit_kind kind, enum unit_scale scale)
 	return i < SITE_N_UNIT ? i : 0;
 }
 
-/* Speeds nearer than this, m/s, are one run, as for site_run_at_speed. */
+/* Speeds that differ by at most this, m/s, are the same, as for
+ * site_run_at_speed. */
 static const double SAME_SPEED = 1e-3;
 
 static bool
@@ -108,10 +109,10 @@ site_column_find(
 	return NULL;
 }
 
-/* Percent that the parts of a sieving may miss of the whole. */
+/* How far the sum of percentages retained may be from 100, in per cent. */
 static const double SUM_TOLERANCE = 0.5;
 
-/* Of the mass put on the sieves, as EN 933-1 allows. */
+/* The share of the mass that may be lost in sieving, as EN 933-1 allows. */
 static const double MASS_TOLERANCE = 0.01;
 
 double
@@ -145,7 +146,7 @@ site_column_passing_text(
 	return buf;
 }
 
-/* Returns the heading of c with another unit: "product_fraction@69". */
+/* Returns the heading of c with another suffix: "product_fraction@69". */
 static const char *
 column_heading_in_unit(
     const struct column *c, const char *suffix, char buf[static 64])
@@ -183,7 +184,7 @@ check_value_in_range(struct column *c, struct cell cell, double v)
 	if (v >= 0 && v <= SITE_UNITS[c->unit].most * (1 + 1e-9))
 		return true;
 	bool percent = SITE_UNITS[c->unit].scale == OF_1 && v > 1.05;
-	/* One percent in a column of fractions says it for all of them. */
+	/* A column of fractions with percentages in it is reported once. */
 	if (percent && c->told_percent)
 		return false;
 	c->told_percent = c->told_percent || percent;
@@ -193,8 +194,8 @@ check_value_in_range(struct column *c, struct cell cell, double v)
 	    column_heading_in_unit(c, "", head));
 }
 
-/* Reads the cell of the pan, which holds what passes all sieves; a curve of
- * passing ends there at 0. */
+/* Reads the cell of the pan, which has what passes all sieves; a passing must
+ * be 0 there, and a cumulative share 100 %. */
 static bool
 read_pan_cell(struct column *c, struct cell cell, double v)
 {
@@ -240,8 +241,8 @@ read_column_cells(struct column *c)
 	}
 }
 
-/* Sets empty cells and dashes above the first mass retained to 0: nothing
- * stayed on these sieves. */
+/* Sets empty cells and dashes above the first retained amount to 0, as nothing
+ * stayed on those sieves. */
 static void
 zero_cells_above_first_mass(struct column *c)
 {
@@ -256,11 +257,11 @@ zero_cells_above_first_mass(struct column *c)
 		c->pct[i] = t->mm[i] > 0 ? 0 : NAN;
 }
 
-/* What the lines below the table say of a column, in its unit.  total: the
- * largest sum, NAN where there is none, whose cell is `where`; weighed: it is
- * the mass before sieving, M1 of EN 933-1.  washed: what was washed out, told
- * as such or by the masses before and after; odd: a mass about washing from
- * which it does not follow. */
+/* What the lines below the table state for a column, in its unit.  total: the
+ * largest total, or NAN; where: its cell.  weighed: the total is the mass
+ * before sieving, M1 of EN 933-1.  washed: the amount washed out, either
+ * stated, or the difference between the masses before and after washing.  odd:
+ * a mass about washing that does not tell what was washed out. */
 struct foot {
 	double total, washed;
 	struct cell where, odd;
@@ -283,7 +284,7 @@ read_totals_below_column(const struct column *c, double sum)
 			continue;
 		} else if (washing && v < 0.2 * sum) {
 			foot.washed += v;
-		} else if (washing) { /* a mass, before or after it */
+		} else if (washing) { /* a mass, before or after washing */
 			foot.odd = row->cell[c->at];
 			before = v > after || isnan(after) ? v : before;
 			after = isnan(after) || v < after ? v : after;
@@ -305,7 +306,7 @@ read_totals_below_column(const struct column *c, double sum)
 		foot.washed = foot.total - after;
 		foot.odd.text = NULL;
 	} else if (fabs(after - sum) <= MASS_TOLERANCE * sum) {
-		foot.odd.text = NULL; /* what went on the sieves */
+		foot.odd.text = NULL; /* it is the mass put on the sieves */
 	}
 	return foot;
 }
@@ -319,8 +320,8 @@ sum_of_column(const struct column *c)
 	return sum;
 }
 
-/* Reads the lines below the table and adds the mass washed out to the pan.
- * False after a fault. */
+/* Reads the lines below the table and adds the mass that was washed out to the
+ * pan.  Returns false after a fault. */
 static bool
 add_washed_mass_to_pan(struct column *c, struct foot *foot)
 {
@@ -337,7 +338,8 @@ add_washed_mass_to_pan(struct column *c, struct foot *foot)
 	return true;
 }
 
-/* True if the sheet states no total, or the sum of the column. */
+/* True if the sheet states no total, or one that agrees with the sum of the
+ * column; else reports it. */
 static bool
 check_stated_total(
     struct column *c, struct cell where, double total, double sum)
@@ -363,7 +365,8 @@ fault_no_pan(struct column *c)
 	return 0;
 }
 
-/* Returns the mass put on the sieves, in the column's unit; 0 after a fault. */
+/* Returns the mass put on the sieves, in the column's unit, or 0 after a
+ * fault. */
 static double
 total_mass_on_sieves(struct column *c)
 {
@@ -395,10 +398,10 @@ total_mass_on_sieves(struct column *c)
 	}
 	if (!check_stated_total(c, where, total, sum))
 		return 0;
-	return weighed ? fmax(total, sum) : sum; /* as EN 933-1 counts */
+	return weighed ? fmax(total, sum) : sum; /* as in EN 933-1 */
 }
 
-/* Returns the whole of which percentages or fractions retained are parts; 0
+/* Returns the total that percentages or fractions retained are shares of, or 0
  * after a fault. */
 static double
 total_of_retained_shares(struct column *c)
@@ -410,7 +413,7 @@ total_of_retained_shares(struct column *c)
 		return 0;
 	double sum = sum_of_column(c), off = (sum - whole) / whole * 100;
 	bool pan = !isnan(c->pan);
-	/* What is lost in sieving is missing from the sum. */
+	/* The sum may be less by what was lost in sieving. */
 	if (pan && off < -SUM_TOLERANCE && off >= -100 * MASS_TOLERANCE)
 		return sum;
 	if (off <= SUM_TOLERANCE && (!pan || off >= -SUM_TOLERANCE))
@@ -479,7 +482,7 @@ check_passing_never_rises(struct column *c)
 	}
 }
 
-/* Returns the row of the coarsest sieve that has a number, or n_row. */
+/* Returns the row of the coarsest sieve that has a value, or n_row. */
 static size_t
 coarsest_row(const struct column *c)
 {
@@ -491,8 +494,8 @@ coarsest_row(const struct column *c)
 }
 
 /* Takes the size that all of a sample passes from its coarsest class, 11.2/16.
- * False if the coarsest sieve passes all, or nothing is said of a larger
- * one. */
+ * Returns false if the coarsest sieve passes everything, or is not the lower
+ * end of such a class. */
 static bool
 take_top_of_class(struct column *c)
 {
@@ -507,8 +510,8 @@ take_top_of_class(struct column *c)
 	return c->top > 0;
 }
 
-/* Notes the coarsest sieve of a feed if it does not pass everything: the size
- * of the largest grains must be known. */
+/* Notes the coarsest sieve of a feed if it does not pass everything, because
+ * the size of the largest grains must be known. */
 static void
 find_row_of_feed_below_100(struct column *c)
 {

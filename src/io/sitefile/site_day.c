@@ -1,5 +1,5 @@
-/* Finds the day on which each sample was taken: in a heading of days beside the
- * samples, "Date", "Provtagen", or in the heading of the sample itself.
+/* Finds the day on which each sample was taken: in a row of days beside the
+ * samples ("Date", "Provtagen"), or in the heading of the sample itself.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_day.h"
 
@@ -18,8 +18,8 @@ is_date(const char *text, struct datetime *m)
 	return datetime_parse(text, m) && m->has_date;
 }
 
-/* Returns the one word of a heading that is a date, "Cut 2026-05-03, 72 m/s",
- * or NULL.  The caller frees it. */
+/* Returns the only word of a heading that is a date, as in "Cut 2026-05-03, 72
+ * m/s"; NULL if there is none, or several.  The caller frees it. */
 static char *
 date_among_words(const char *heading)
 {
@@ -38,8 +38,9 @@ date_among_words(const char *heading)
 	return found;
 }
 
-/* Returns a date as a site keeps it.  Of 25/3/2026 the form is kept, because it
- * shows how 5/3/2026 beside it is to be read. */
+/* Returns a date in the form that a site keeps: "2026-05-03".  A date such as
+ * 25/3/2026 is kept as it is, because it shows how to read 5/3/2026 beside
+ * it. */
 static char *
 date_to_keep(const char *text)
 {
@@ -54,9 +55,10 @@ date_to_keep(const char *text)
 	return day;
 }
 
-/* Returns the text of column c in a row of headings.  A cell that spreads over
- * the columns at its right is that of all of them; but below a day an empty
- * cell of a line may be the same, or forgotten. */
+/* Returns the text of column c in a row of headings.  An empty cell takes that
+ * of the cell to its left, which spreads over it; but not if the samples are in
+ * lines, where an empty cell below a day may mean the same day, or have been
+ * forgotten. */
 static const char *
 heading_text(const struct table *t, size_t r, size_t c)
 {
@@ -66,9 +68,9 @@ heading_text(const struct table *t, size_t r, size_t c)
 	return cell[c].text;
 }
 
-/* Takes the day that a row of a table states with `text` for a sample, into
- * *stated if its label says that it is that of sampling, else into *other.
- * Two that differ are "". */
+/* Takes the day that `text`, a cell of a row, states for a sample: into *stated
+ * if the row's label says that it is the day of sampling, else into *other.  If
+ * two days differ, "" is kept. */
 static void
 take_day(char **stated, char **other, const struct row *row, const char *text)
 {
@@ -146,7 +148,7 @@ site_day_column(const struct table *t)
 		enum lexicon_day own = lexicon_day_of_label(label);
 		if (own < best || own == DAY_OTHER || !is_column_of_dates(t, c))
 			continue;
-		/* Of two the same nothing tells which is meant. */
+		/* Of two equally good labels, neither is used. */
 		found = own > best ? c : 0;
 		best = own;
 	}

@@ -5,23 +5,24 @@
 
 #include "io/sitefile/layout.h"
 
-/* Returns the day, and the time if there is one, on which the sample in column
- * c of a table was taken: "2026-05-03 10:15", or as the sheet has it if the
- * form leaves open which number is the day, "5/3/2026 10:15".  NULL: its
- * headings state none, or two.  The caller frees it. */
+/* Returns the day, and the time if stated, on which the sample in column c of a
+ * table was taken: "2026-05-03 10:15".  If it is not clear which number is the
+ * day, returns it as the sheet has it, "5/3/2026 10:15".  Returns NULL if the
+ * headings state no day, or two.  The caller frees it. */
 char *site_day_of_sample(const struct table *t, size_t c);
 
-/* Returns what stands for column c in a row of days and cannot be read as one,
- * "17/11/26", or NULL. */
+/* Returns the cell of column c in a row of days if it cannot be read as a day,
+ * such as "17/11/26"; else NULL. */
 const char *site_day_unread(const struct table *t, size_t c);
 
-/* Returns the column of a long table with the day of each row's sample, or 0.
- */
+/* Returns the column of a long table that has the day of each row's sample, or
+ * 0. */
 size_t site_day_column(const struct table *t);
 
-/* Returns the first and the last of some days [n], which may be NULL:
- * "2026-05-03 to 2026-05-05", or only "2026-05-03" if all are the same.  NULL:
- * there are none, or one can be read in two ways.  The caller frees it. */
+/* Returns the first and the last of some days [n], any of which may be NULL:
+ * "2026-05-03 to 2026-05-05", or only "2026-05-03" if all are the same.
+ * Returns NULL if there are none, or one can be read in two ways.  The caller
+ * frees it. */
 char *site_day_range_text(char *const *day, size_t n);
 
 #endif

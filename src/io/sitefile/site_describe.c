@@ -11,7 +11,7 @@
 #include "io/sitefile/classify.h"
 #include "io/sitefile/site_sieve.h"
 
-/* Returns "3", "3, 4" or "3 to 5, 8" for rising numbers without repeats. */
+/* Returns rising numbers, without repeats, as "3", "3, 4" or "3 to 5, 8". */
 static char *
 numbers_to_ranges_text(const size_t *number, size_t n)
 {
@@ -38,7 +38,7 @@ is_in_tipspeed_format(const struct table *t)
 	       strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
 }
 
-/* Adds "product@69" or, after another product, only "@79". */
+/* Appends "product@69" or, after another product, only "@79". */
 static void
 append_role_text(
     char **text, const struct column *c, const struct column *before)
@@ -57,7 +57,7 @@ append_number_unless_repeated(size_t *number, size_t *n, size_t next)
 		number[(*n)++] = next;
 }
 
-/* Describes the samples of a table, grouped by unit. */
+/* Appends a description of the samples of a table, grouped by unit. */
 static void
 describe_samples(const struct table *t, const struct columns *all, char **text)
 {
@@ -93,8 +93,8 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 	free(roles);
 }
 
-/* True if a table has its sieves in the same place and unit as the one before
- * it. */
+/* True if two tables have their sieves in the same column or line, in the same
+ * order and unit. */
 static bool
 has_sieves_in_same_place(const struct table *a, const struct table *b)
 {
@@ -103,8 +103,8 @@ has_sieves_in_same_place(const struct table *a, const struct table *b)
 	       strcmp(site_sieve_unit_text(a), site_sieve_unit_text(b)) == 0;
 }
 
-/* Returns the file or sheet that distinguishes a table from others; "" if all
- * are on one sheet. */
+/* Returns the name of a table's file or, if all are in one file, of its sheet;
+ * "" if all are on one sheet. */
 static const char *
 file_or_sheet_of_table(struct table *const *table, size_t n, size_t k)
 {
@@ -148,8 +148,8 @@ has_assumption_note(const struct column *c, const char *note)
 	return c->assumed != NULL && strstr(c->assumed, line) != NULL;
 }
 
-/* Adds a note with all columns that have it, unless a column before the i-th
- * has it and it has been added. */
+/* Appends a note of column i with all columns that have it, unless an earlier
+ * column has it, so that it has been appended already. */
 static void
 append_note_once(
     const struct columns *all, size_t i, const char *note, char **text)

@@ -56,8 +56,8 @@ read_first_number(const struct sheet *sheet, struct cell cell, double *value)
 	    number_cell_from_text(sheet, cell, copy), value);
 }
 
-/* Takes the rotor's diameter if the line states it.  A number below 10 is in
- * m. */
+/* Takes the rotor's diameter if a key and value state it.  A number below 10 is
+ * in m. */
 static bool
 site_heading_take_rotor(struct site *site, const struct sheet *sheet,
     struct cell key, struct cell value)
@@ -85,7 +85,8 @@ site_heading_take_rotor(struct site *site, const struct sheet *sheet,
 	return true;
 }
 
-/* Takes a speed in m/s or rpm; 0: none.  Another one differs. */
+/* Takes a speed in m/s or rpm (0: not stated).  If another one was taken
+ * before, sets speed->differ. */
 static void
 note_speed(struct heading_speed *speed, double mps, double rpm)
 {
@@ -97,8 +98,8 @@ note_speed(struct heading_speed *speed, double mps, double rpm)
 	speed->rpm = rpm > 0 ? rpm : speed->rpm;
 }
 
-/* Takes a speed from "tip speed; 70 m/s" or "varvtal; 1350", not the greatest
- * that a machine has. */
+/* Takes a speed from "tip speed; 70 m/s" or "varvtal; 1350", but not the
+ * highest that a machine has.  Returns false if there is none. */
 static bool
 site_heading_take_speed(const struct sheet *sheet, struct cell key,
     struct cell value, struct heading_speed *speed)
@@ -126,8 +127,8 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 	return true;
 }
 
-/* Splits "Speed: 70 m/s" in one cell into key and value, of *copy, which the
- * caller frees.  False if it has no value. */
+/* Splits a cell such as "Speed: 70 m/s" into key and value, whose texts are in
+ * *copy, which the caller frees.  Returns false if there is no value. */
 static bool
 split_key_at_colon(struct cell *key, struct cell *value, char **copy)
 {
@@ -143,7 +144,7 @@ split_key_at_colon(struct cell *key, struct cell *value, char **copy)
 	return value->text[0] != '\0' && key->text[0] != '\0';
 }
 
-/* True for a key with its value in one cell, "Stone: gabbro". */
+/* True if a cell has both a key and its value, "Stone: gabbro". */
 static bool
 has_key_with_colon(struct cell cell)
 {
@@ -152,11 +153,11 @@ has_key_with_colon(struct cell cell)
 	       strspn(colon + 1, " ") < strlen(colon + 1);
 }
 
-/* Finds the next key of a line and its value, from cell *at on, and moves *at
- * after them: the cells up to an empty one, two of them, or one that contains
- * both, if another such cell follows.  Returns the number of cells; one that
- * contains both counts as two, with their texts in *copy, which the caller
- * frees. */
+/* Finds the next key and value of a line, from cell *at on, and moves *at past
+ * them.  They are the cells up to an empty one; or one cell that has both, if
+ * another such cell follows it.  Returns the number of cells, of which the
+ * third is in *third.  One cell that has both counts as two; their texts are in
+ * *copy, which the caller frees. */
 static size_t
 next_key_and_value(const struct row *row, size_t *at, struct cell *key,
     struct cell *value, struct cell *third, char **copy)
@@ -217,7 +218,7 @@ site_heading_date_of_line(const struct row *row)
 	return NULL;
 }
 
-/* True for "rock Granite", which lacks a separator. */
+/* True for "rock Granite", in which the separator is missing. */
 static bool
 begins_with_key(const char *text)
 {
@@ -227,7 +228,8 @@ begins_with_key(const char *text)
 	return false;
 }
 
-/* Notes a line of numbers above the table that heads nothing. */
+/* Notes that a line of numbers above the table, which heads nothing, is not
+ * read. */
 static void
 leave_out_line(struct site *site, const struct cell *key)
 {
@@ -237,7 +239,7 @@ leave_out_line(struct site *site, const struct cell *key)
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 
-/* Takes the value of a known key.  The name of a machine may state its
+/* Sets the value of a known key.  The name of a machine may also state its
  * rotor. */
 static void
 set_site_value_of_key(struct site *site, enum lexicon_key k,
@@ -248,8 +250,8 @@ set_site_value_of_key(struct site *site, enum lexicon_key k,
 		site_heading_take_rotor(site, sheet, key, value);
 }
 
-/* Reads the next pair of the line, or a part of one.  False at the end of the
- * line. */
+/* Reads the next key and value of a line, or a key alone.  seen: the line of
+ * each key read so far, or 0.  Returns false at the end of the line. */
 static bool
 set_next_key_of_line(struct site *site, struct sheet *sheet,
     const struct row *row, size_t *at, int seen[static N_KEY],

@@ -6,10 +6,8 @@
 #include "core/psd/site.h"
 #include "io/sitefile/layout.h"
 
-/* Reads the lines above the tables into the site: name, rock, rotor, others as
- * notes.  speed: set if a speed in m/s or rpm is stated for all samples;
- * otherwise unchanged.  differ: several are stated, so neither is that of
- * all. */
+/* Reads the lines above the tables into the site: name, rock, rotor, and other
+ * lines as notes. */
 struct heading_speed {
 	double mps, rpm;
 	bool differ;
@@ -17,30 +15,30 @@ struct heading_speed {
 void site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);
 
-/* Takes the speed that a line states with a key, "tip speed; 70".  False if it
- * does not. */
+/* Takes the speed that a line states with a key, "tip speed; 70".  Returns
+ * false if it states none. */
 bool site_heading_speed_of_line(const struct sheet *sheet,
     const struct row *row, struct heading_speed *speed);
 
 /* Returns the day that a line states with a key, "Date; 2026-05-03", as
- * "2026-05-03"; NULL if it states none that can be read in one way.  The caller
- * frees it. */
+ * "2026-05-03".  Returns NULL if it states none, or one that can be read in two
+ * ways.  The caller frees it. */
 char *site_heading_date_of_line(const struct row *row);
 
-/* The rotor's diameter, mm, stated in lines outside the tables, and the first
- * of these; -1: they differ; 0: not stated. */
+/* The rotor's diameter, mm, stated in lines outside the tables; 0 if none
+ * states it, -1 if two differ.  line: the first that states it. */
 struct heading_rotor {
 	double mm;
 	int line;
 };
 
-/* Combines the rotor stated in the lines of a layout with *said, from earlier
- * layouts. */
+/* Updates *said, which may have a diameter from earlier layouts, with the
+ * diameters stated in the lines of this one. */
 void site_heading_merge_rotor(
     const struct layout *layout, struct heading_rotor *said);
 
-/* Returns the name of a file without folder and extension, in a form that can
- * be written to a sheet.  The caller frees it. */
+/* Returns the name of a file without folder and extension, with "_" for each
+ * byte that cannot be written to a sheet.  The caller frees it. */
 char *site_heading_name_from_path(const char *path);
 
 #endif

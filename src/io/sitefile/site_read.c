@@ -36,9 +36,8 @@ struct page {
 	struct layout *layout;
 };
 
-/* A site on its way.  table [n_table], of the layouts, and their columns in
- * all; lost: something is at fault, so that what is missing cannot be
- * judged. */
+/* A site being read.  table [n_table]: the tables of all layouts; all: their
+ * columns.  lost: there is a fault, so it cannot be said what is missing. */
 struct reading {
 	const struct site_request *request;
 	struct error_list *errors;
@@ -60,7 +59,7 @@ first_sheet(const struct reading *r)
 	return r->page[0].sheet;
 }
 
-/* Reports that there is no table, without which nothing else can be judged. */
+/* Reports that there is no table.  Without one, nothing else can be checked. */
 static void
 fault_no_table(struct sheet *sheet)
 {
@@ -91,8 +90,8 @@ fault_no_table(struct sheet *sheet)
 	    c, c, c);
 }
 
-/* Checks repeats at one speed: one feed serves all, or each product has its
- * own; likewise for standard deviations. */
+/* Checks repeats at one speed: either one feed serves all of them, or each has
+ * its own.  The same goes for standard deviations. */
 static void
 check_feeds_match_repeats(const struct columns *t, const struct column *c)
 {
@@ -113,7 +112,8 @@ check_feeds_match_repeats(const struct columns *t, const struct column *c)
 	    SITE_ROLES[c->role], c->speed, own);
 }
 
-/* Checks that each product has a feed and each standard deviation a product. */
+/* Checks that a product has a feed, and a standard deviation a product; and
+ * that there is not one feed too many. */
 static void
 check_feed_or_product_exists(const struct columns *t, const struct column *c,
     const struct site_request *request)
@@ -142,7 +142,8 @@ check_feed_or_product_exists(const struct columns *t, const struct column *c,
 		    c->head.text);
 }
 
-/* Checks that product values and standard deviations occur together. */
+/* Checks that a product and its standard deviation have values in the same
+ * rows. */
 static void
 check_sd_beside_values(const struct columns *all, const struct column *product)
 {
@@ -167,7 +168,7 @@ check_sd_beside_values(const struct columns *all, const struct column *product)
 	}
 }
 
-/* Checks that two quantities of one sample agree, except for rounding and
+/* Checks that two quantities of the same sample agree, but for rounding and
  * losses in sieving. */
 static void
 check_quantities_agree(const struct columns *all, const struct column *twin)
@@ -197,7 +198,7 @@ check_quantities_agree(const struct columns *all, const struct column *twin)
 	}
 }
 
-/* Returns the cell where the numbers of an empty table should begin. */
+/* Returns the cell in which the numbers of an empty table should begin. */
 static struct cell
 cell_where_numbers_begin(const struct table *t)
 {
@@ -230,8 +231,8 @@ report_missing_roles(struct reading *r)
 		    "add takes samples of product; load this file as a site");
 }
 
-/* Returns the feed that has the coarsest sieve among those whose coarsest sieve
- * does not pass everything; NULL if there is none. */
+/* Of the feeds whose coarsest sieve does not pass everything, returns the one
+ * with the largest such sieve, or NULL. */
 static const struct column *
 feed_with_unknown_top_size(const struct columns *all)
 {
@@ -246,9 +247,9 @@ feed_with_unknown_top_size(const struct columns *all)
 	return found;
 }
 
-/* Sets the size that all of a feed passes if its coarsest sieve does not pass
- * everything: as given by the user; the next sieve up if next to nothing is
- * coarser; otherwise asks for it. */
+/* Sets the size that all of a feed passes, if that is not its coarsest sieve:
+ * what the user gave; or the next sieve up, if almost nothing is coarser.
+ * Otherwise asks for it. */
 static void
 assume_top_size(struct reading *r, struct site_ask *ask)
 {
@@ -325,7 +326,7 @@ psd_of_column(const struct column *c)
 	return psd;
 }
 
-/* Fills the curves of a run, the nth of those at its speed. */
+/* Fills the curves of a run, which is the nth at its speed. */
 static void
 set_curves_of_run_from_sheet(const struct columns *t,
     const struct column *shared, struct run *run, size_t nth)
@@ -357,8 +358,9 @@ compare_runs_by_speed(const void *a, const void *b)
 	return (r->speed > s->speed) - (r->speed < s->speed);
 }
 
-/* Takes the line of write that lists the runs without a feed sample.  Their
- * columns have the mean, for readers that do not know the line. */
+/* Reads the line, written by site_write, that lists the runs without a feed
+ * sample of their own, and drops it from the notes.  Their columns have the
+ * mean feed, for readers that do not know the line. */
 static void
 take_runs_lacking_feed(struct site *site)
 {
@@ -380,8 +382,8 @@ take_runs_lacking_feed(struct site *site)
 	site_drop_note(site, i);
 }
 
-/* Makes a run for each product, and for each speed that only has a feed; if
- * there is only the feed of all runs, one run without a speed. */
+/* Makes a run for each product, and for each speed that has only a feed.  If
+ * there is nothing but a feed for all runs, makes one run without a speed. */
 static void
 make_runs_of_site(struct site *site, const struct columns *t)
 {
@@ -421,7 +423,7 @@ leave_out(struct site *site, int line, const char *format, ...)
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 
-/* Notes sieves without numbers. */
+/* Notes the sieves without numbers as left out. */
 static void
 note_left_out_rows(struct reading *r, const struct table *t)
 {
@@ -437,7 +439,8 @@ note_left_out_rows(struct reading *r, const struct table *t)
 	}
 }
 
-/* Notes cells of the samples that stand for a missing number, "-" or "<0.1". */
+/* Notes the cells of samples that say that a number is missing, "-" or "<0.1",
+ * as left out. */
 static void
 note_left_out_cells(struct reading *r)
 {
@@ -464,7 +467,8 @@ note_left_out_cells(struct reading *r)
 		    tr("cells without a number"), list);
 }
 
-/* Notes lines of sums that could not be compared with anything. */
+/* Notes lines of totals as left out if no column is in grams, as only masses
+ * are compared with them. */
 static void
 note_left_out_sums(struct reading *r, const struct page *page)
 {
@@ -483,7 +487,7 @@ note_left_out_sums(struct reading *r, const struct page *page)
 		}
 }
 
-/* True if a remark states the known rotor diameter. */
+/* True if a remark states the rotor diameter that is already known. */
 static bool
 repeats_known_rotor(const struct site *site, const char *text)
 {
@@ -491,7 +495,7 @@ repeats_known_rotor(const struct site *site, const char *text)
 	return mm > 0 && fabs(mm - 1000 * site->rotor) < 0.5;
 }
 
-/* Returns "feed" or "product@64, product@72", the samples of a table. */
+/* Returns the samples of a table: "feed" or "product@64, product@72". */
 static char *
 samples_of_table_text(const struct columns *all, const struct table *t)
 {
@@ -507,7 +511,7 @@ samples_of_table_text(const struct columns *all, const struct table *t)
 	return list;
 }
 
-/* Returns the filled cells of a line: "Date 2026-11-12". */
+/* Returns the filled cells of a line as one text: "Date 2026-11-12". */
 static char *
 words_of_line(const struct row *row)
 {
@@ -518,7 +522,8 @@ words_of_line(const struct row *row)
 	return words;
 }
 
-/* Adds the words of the nth of several lines, of which only a few are shown. */
+/* Appends the words of the nth of several lines; only the first few are
+ * shown. */
 static void
 add_words_of_line(char **list, const struct row *row, size_t n)
 {
@@ -545,8 +550,9 @@ last_table_above_row(const struct layout *layout, const struct row *row)
 	return found;
 }
 
-/* True if a line was read: the heading of the first table, the title of one,
- * the day of a cut, or the rotor's diameter. */
+/* True if line i outside the tables has been read: it is above the first row of
+ * the first table, or is the title of a table, the day of a cut, or the rotor's
+ * diameter. */
 static bool
 is_line_already_read(
     const struct reading *r, const struct layout *layout, size_t i)
@@ -559,8 +565,8 @@ is_line_already_read(
 	       repeats_known_rotor(r->site, words) || layout->read[i];
 }
 
-/* Notes lines that were not read, from the ith on, with the table that they
- * stand above or else below.  Returns the number of lines. */
+/* Notes lines that were not read, from the ith on, together with the table
+ * above or below which they stand.  Returns the number of lines. */
 static size_t
 note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 {
@@ -599,15 +605,15 @@ note_lines_outside_tables(struct reading *r, const struct page *page)
 			: note_left_out_lines(r, layout, i);
 }
 
-/* True if a comment only rules off what is above it from what is below. */
+/* True if a comment is only a rule, "-----". */
 static bool
 is_rule(const struct comment *c)
 {
 	return c->text[strspn(c->text, "#-=_+:| \t")] == '\0';
 }
 
-/* Notes what is in the table or below it and was not read.  A line that begins
- * with # may be a sieve that the user excluded. */
+/* Notes what is in the tables or below them and was not read.  A comment may be
+ * a sieve that the user has excluded with #. */
 static void
 note_all_left_out(struct reading *r)
 {
@@ -637,8 +643,8 @@ note_all_left_out(struct reading *r)
 	note_left_out_cells(r);
 }
 
-/* Lists the sieves that have names: "#4 = 4.75, No. 8 = 2.36".  Tables of the
- * same sieves, one below the other, name them once. */
+/* Lists the sieves that have names in site->named: "#4 = 4.75, No. 8 = 2.36".
+ * Tables with the same sieves list them once. */
 static void
 note_sieve_names(struct reading *r)
 {
@@ -663,7 +669,7 @@ note_sieve_names(struct reading *r)
 	}
 }
 
-/* True if a table contains its sieves twice, which is then an open question. */
+/* True if a table contains its sieves twice; notes that as an open question. */
 static bool
 has_sieves_twice(struct reading *r, const struct table *t)
 {
@@ -679,8 +685,9 @@ has_sieves_twice(struct reading *r, const struct table *t)
 	return true;
 }
 
-/* Of several files that are one site, the name may state the speed:
- * "cut_60ms.csv".  False if it does not, or the sheet states one itself. */
+/* Takes the speed from the name of one of several files that are one site:
+ * "cut_60ms.csv".  Returns false if the name states none, or the sheet states
+ * one. */
 static bool
 take_speed_of_file_name(
     const struct site_request *q, const char *path, struct surroundings *near)
@@ -696,7 +703,7 @@ take_speed_of_file_name(
 }
 
 /* Notes that the columns from the ith on have the speed in the name of their
- * file, unless their headings state one. */
+ * file, unless the headings of all of them state one. */
 static void
 note_speed_of_file_name(struct reading *r, const char *path, size_t i)
 {
@@ -724,7 +731,8 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	near.rpm = told.differ ? 0 : told.rpm;
 	near.context =
 	    title_words_and_speed(page->layout, t, q->path[page->file], &near);
-	/* "Specification", "VSI 2" above a further table of the sheet. */
+	/* "Specification" or "VSI 2" above a later table of the sheet may mean
+	 * that it is another site's. */
 	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
 		r->open.other = t;
@@ -782,8 +790,8 @@ parse_request_options(struct reading *r)
 	return good;
 }
 
-/* Refuses predictions, which must not be read as measurements, whatever
- * columns= says. */
+/* Reports a sheet of predictions, which must not be read as measurements,
+ * whatever columns= says.  Returns false if there is one. */
 static bool
 check_not_predicted(const struct source *source)
 {
@@ -802,7 +810,7 @@ check_not_predicted(const struct source *source)
 	return command == NULL;
 }
 
-/* Reads the requested sheets of a file: the one with the given name, or all. */
+/* Reads the sheet of a file that the user named, or all sheets. */
 static bool
 read_site_file(struct reading *r, size_t file)
 {
@@ -842,7 +850,7 @@ read_site_file(struct reading *r, size_t file)
 	return found;
 }
 
-/* True if a page has a table; pages without one are ignored. */
+/* True if any page has a table; pages without one are ignored. */
 static bool
 check_any_table(struct reading *r)
 {
@@ -854,8 +862,7 @@ check_any_table(struct reading *r)
 	return n > 0;
 }
 
-/* Takes the rotor's diameter from titles and remarks if no line of its own
- * states it. */
+/* Takes the rotor's diameter from titles and remarks, if no key states it. */
 static void
 take_rotor_from_remarks(struct reading *r, const struct heading_rotor *said)
 {
@@ -867,7 +874,8 @@ take_rotor_from_remarks(struct reading *r, const struct heading_rotor *said)
 	    said->line);
 }
 
-/* Says once for all columns which speeds in rpm were read as which in m/s. */
+/* Notes, once for all columns, which speeds in rpm were read as which in
+ * m/s. */
 static void
 note_speeds_from_rpm(struct reading *r)
 {
@@ -913,7 +921,8 @@ read_all_tables(struct reading *r)
 	}
 }
 
-/* Lists the numbers of a column that are not of the pan.  Returns how many. */
+/* Lists the numbers of a column, without the pan.  Returns how many there
+ * are. */
 static size_t
 numbers_of_column(const struct column *c, double *list)
 {
@@ -927,8 +936,8 @@ numbers_of_column(const struct column *c, double *list)
 	return n;
 }
 
-/* True if two columns are one sample with the same numbers, perhaps in the
- * other order. */
+/* True if two columns have the same role, speed and numbers, perhaps in reverse
+ * order. */
 static bool
 has_same_numbers(const struct column *a, const struct column *b)
 {
@@ -947,8 +956,8 @@ has_same_numbers(const struct column *a, const struct column *b)
 	return n > 0 && (same == n || back == n);
 }
 
-/* True if all samples of a table are in other sheets before it, as in one from
- * which a chart is drawn; on its own sheet the copy may be meant as another. */
+/* True if all samples of a table are in earlier sheets too: it may be the data
+ * of a chart.  A copy on the same sheet may be meant as another sample. */
 static bool
 is_table_again(const struct reading *r, size_t k)
 {
@@ -1004,7 +1013,7 @@ file_index_of_column(const struct reading *r, const struct column *c)
 	return r->page[i].file;
 }
 
-/* If several files each have a feed, gives each feed the speed of its file. */
+/* Gives each feed the speed of its file, if several files have a feed. */
 static void
 give_feeds_speed_of_file(struct reading *r)
 {
@@ -1027,8 +1036,9 @@ give_feeds_speed_of_file(struct reading *r)
 	}
 }
 
-/* If only the feed is wanted, drops products without a speed; an only column
- * called product may be meant as the feed. */
+/* Drops products without a speed when only the feed is wanted.  If the only
+ * column is called product, it may be meant as the feed, so it loses its
+ * role. */
 static void
 choose_feed_column(struct reading *r)
 {
@@ -1048,7 +1058,8 @@ choose_feed_column(struct reading *r)
 	all->n = n;
 }
 
-/* Returns the speeds of the products: "1560, 1680 rpm", or in m/s. */
+/* Returns the speeds of the products: "1560, 1680 rpm" if all are in rpm, else
+ * in m/s. */
 static char *
 product_speeds_text(const struct columns *all)
 {
@@ -1084,8 +1095,8 @@ give_feeds_product_speeds(struct columns *all)
 		}
 }
 
-/* Reads tables whose titles differ only in speed as one site, without a
- * question. */
+/* Reads tables as one site, without a question, if their titles differ only in
+ * speed or they are separate tests. */
 static void
 accept_tables_as_one_site(struct reading *r)
 {
@@ -1113,8 +1124,8 @@ count_faults(const struct reading *r)
 	return r->errors->n + r->errors->more;
 }
 
-/* Returns the day of a sample: its own, or that stated above its table.  NULL:
- * none is stated. */
+/* Returns the day of a sample: the one in its headings, or else the one stated
+ * above its table; NULL if there is none. */
 static char *
 find_day_of_sample(const struct reading *r, const struct column *c)
 {
@@ -1128,15 +1139,16 @@ find_day_of_sample(const struct reading *r, const struct column *c)
 	return title_find_day(r->page[p].layout, c->table, NULL, &differ);
 }
 
-/* True if a column is a product as read, no other quantity of one. */
+/* True if a column is a product, and not one that is read in another
+ * quantity. */
 static bool
 is_product(const struct column *c)
 {
 	return c->role == PRODUCT && c->twin == 0;
 }
 
-/* Notes the days of the cuts, of which those at one speed are told apart by
- * their order: if one has a day, the others have a note too. */
+/* Notes the days of the cuts.  The notes of cuts at one speed are matched by
+ * their order, so if one of them has a day, each gets a note. */
 static void
 note_days_of_cuts(struct reading *r)
 {
@@ -1161,7 +1173,8 @@ note_days_of_cuts(struct reading *r)
 		free(day[i]);
 }
 
-/* Notes the cuts whose day is stated in a form that is not read. */
+/* Notes as left out the days of cuts that are stated in a form that is not
+ * read. */
 static void
 note_days_not_read(struct reading *r)
 {
@@ -1191,8 +1204,8 @@ find_days_of_all_samples(const struct reading *r)
 	return days;
 }
 
-/* If nothing says where the data are from, the provenance has the days of the
- * samples or, if none has one, the only day stated outside the tables; see
+/* Sets the provenance, if the sheet states none, to the days of the samples or,
+ * if these have none, to the only day stated outside the tables.  See
  * site_data_kind. */
 static void
 take_day_for_provenance(struct reading *r)
@@ -1210,7 +1223,7 @@ take_day_for_provenance(struct reading *r)
 	    xasprintf("sheet of %s", days != NULL ? days : day);
 }
 
-/* True if the user said what the files may not state. */
+/* True if the user gave information that the files may not contain. */
 static bool
 is_told_by_user(const struct site_request *q)
 {

@@ -8,13 +8,13 @@
 #include "core/psd/site.h"
 #include "io/sitefile/site_request.h"
 
-/* Reads a site.  On success, returns a site with digest and path (of the first
+/* Reads a site.  On success, returns it with digest and path (of the first
  * file) set, and adds no errors.  On failure, returns NULL and at least one
- * fault: ERROR_SYSTEM if a file cannot be read, otherwise all independent
- * faults of the sheets, in file order, each of kind ERROR_DATA with line and
- * column.  An open question is reported as one fault and copied to *ask.
- * errors: zeroed by the caller, never NULL.  ask: zeroed and later cleared by
- * the caller, or NULL.
+ * fault: ERROR_SYSTEM if a file cannot be read; otherwise all independent
+ * faults of the sheets, in file order, each an ERROR_DATA with line and column.
+ * An open question is reported as one fault, and also fills *ask.  errors:
+ * zeroed by the caller, never NULL.  ask: zeroed and later cleared by the
+ * caller, or NULL.
  *
  * Sizes are rounded to 1e-9 mm and passings to 1e-12 %, as site_write prints
  * them, so a site and its saved copy have the same digest.  Every run satisfies

@@ -1,4 +1,4 @@
-/* Ranges of cells as text, and freeing of questions.
+/* Converts ranges of cells to and from text, and frees questions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_request.h"
 

@@ -1,6 +1,6 @@
-/* Heads columns as columns= names them by number, and gives those the roles
- * that samples= states by name.  Samples have the names in their headings, or
- * in the rows of a long table.
+/* Gives columns the headings that columns= states by number, and samples the
+ * roles that samples= states by name.  The names of samples are in their
+ * headings, or in the rows of a long table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_samples.h"
 
@@ -18,9 +18,9 @@
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/site_day.h"
 
-/* Cuts off the next part of a list that commas separate, and returns it, or
- * NULL after the last; *rest moves after it.  The comma of a number, as in
- * @63,6, separates nothing. */
+/* Cuts off the next part of a list separated by commas, and returns it, or NULL
+ * after the last; moves *rest past it.  The comma in a number such as @63,6
+ * does not separate. */
 static char *
 next_list_item(char **rest)
 {
@@ -36,7 +36,7 @@ next_list_item(char **rest)
 	return part;
 }
 
-/* Adds "3=feed", whose column has a number, or "S01=feed". */
+/* Adds "3=feed" (numbers: a column by its number) or "S01=feed". */
 static bool
 add_sample_item(
     struct samples *s, bool numbers, char *part, struct error *error)
@@ -123,7 +123,7 @@ find_sample_of_column(const struct samples *columns, size_t number)
 	return NULL;
 }
 
-/* Makes column c of some rows the nth, and for now the last. */
+/* Moves column c of some rows to place n, and makes it the last for now. */
 static void
 move_column_of_rows(struct row *row, size_t n_row, size_t c, size_t n)
 {
@@ -145,7 +145,7 @@ keep_days(struct table *t)
 	t->day = day;
 }
 
-/* Heads the columns anew and drops those without a name. */
+/* Gives the columns new headings and drops those that the user did not name. */
 static void
 replace_headings_by_names(const struct samples *columns, struct table *t)
 {
@@ -214,7 +214,8 @@ samples_have_distinct_names(const struct table *t)
 	return t->name != NULL || r < t->n_head;
 }
 
-/* True if a row of headings names the samples: "Sample", "Prov nr". */
+/* True if the label of a row of headings says that it names the samples:
+ * "Sample", "Prov nr". */
 static bool
 is_row_of_names(const struct row *row)
 {
@@ -269,7 +270,8 @@ refuse_sample_against_heading(const struct column *c, const char *text)
 	    text);
 }
 
-/* Adds the stated meanings of a group; a contradiction is a fault. */
+/* Adds those of the meanings `own` that belong to a group; reports a
+ * contradiction to what the headings state. */
 static void
 merge_stated_meanings(
     struct column *c, const char *text, uint64_t group, uint64_t own)
@@ -300,7 +302,7 @@ apply_sample_option_text(struct column *c, const char *text)
 		said->rpm = own.rpm;
 		said->unit = own.unit;
 	}
-	/* The rest of its heads is its name. */
+	/* The rest of its headings is its name. */
 	said->unknown = said->n_number = 0;
 	said->several = own.several;
 	said->means &= ~(uint64_t)(WORD_SAMPLE | WORD_NUMBER | WORD_OTHER);

@@ -15,9 +15,10 @@
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
 
-/* Sieves of a crusher's product that are not said to be in mm are not taken for
- * it outside these, mm: what is coarser may be in um, what is finer in inches
- * or metres. */
+/* The largest sieve of a crusher's product is within these limits, mm.  Above
+ * them the numbers may be in um, below in inches or metres.  COARSEST_TOP
+ * applies if the sheet states a unit of length, the others if it states
+ * none. */
 static const double COARSEST_TOP = 500, LEAST_TOP = 4, COARSE_TOP = 150;
 
 double
@@ -43,7 +44,7 @@ site_sieve_read_mm(
 	return NAN;
 }
 
-/* Reports a name that no sieve has. */
+/* Reports a sieve name that does not exist. */
 static void
 fault_unknown_sieve_name(struct table *t, struct cell cell)
 {
@@ -64,7 +65,7 @@ fault_unknown_sieve_name(struct table *t, struct cell cell)
 	    nearest);
 }
 
-/* Returns the size of a row's sieve; 0 for the pan, NAN after a fault. */
+/* Returns the size of a row's sieve, mm; 0 for the pan, NAN after a fault. */
 static double
 sieve_mm_of_row(struct table *t, struct cell cell)
 {
@@ -88,21 +89,21 @@ sieve_mm_of_row(struct table *t, struct cell cell)
 	    t->unit.mm > 0 ? t->unit.mm : 1, "a sieve size or pan");
 }
 
-/* What the sieves of a table are like.  n: how many are bare numbers; n_part:
- * of them fractions, 3/8, as inches have; n_astm: that are numbers of sieves of
- * ASTM E11; n_below: below 0; n_beyond: beyond what phi can be.  rises: from
- * the first to the last, but for fractions; even: by one step; whole: all are.
- * named: each size has its own unit or is a name.  most: the largest size if
- * numbers are in mm; in_mm, in_um: the share of real sieves among the sizes if
- * they are in mm, in um. */
+/* A summary of a table's sieves.  n: how many are bare numbers or fractions;
+ * n_part: how many are fractions, 3/8, as of inches.  Of the numbers, n_astm
+ * are numbers of ASTM E11 sieves, n_below are below 0, and n_beyond are outside
+ * the range of phi; rises: they rise from the first to the last; even: by equal
+ * steps; whole: all are whole.  named: each size is a name or has its own unit.
+ * most: the largest size, if numbers are in mm; in_mm, in_um: the share of
+ * sizes that are real sieves, if they are in mm or in um. */
 struct numbers {
 	size_t n, n_part, n_astm, n_below, n_beyond;
 	bool rises, even, whole, named;
 	double most, in_mm, in_um;
 };
 
-/* Whether a text is a fraction of an inch that sieves have, 3/8 or 1 1/2, and
- * no class, 12.5/16. */
+/* True if a text is a fraction of an inch that is the size of a sieve, 3/8 or 1
+ * 1/2; not a class, 12.5/16. */
 static bool
 is_inch_fraction(const char *text)
 {
@@ -116,7 +117,7 @@ is_inch_fraction(const char *text)
 	       sieve_name_mm(text, SIEVE_ASTM) > 0;
 }
 
-/* Whether two texts are neighbouring classes, 8/16 and 4/8. */
+/* True if two texts are neighbouring classes, 8/16 and 4/8. */
 static bool
 are_neighbouring_classes(const char *a, const char *b)
 {
@@ -138,7 +139,7 @@ are_fractions_inches(const struct table *t)
 	return meet < 2;
 }
 
-/* Reads the sizes as they are named, and as lengths. */
+/* Summarises the sizes, first as names, then as lengths. */
 static void
 summarise_sieve_sizes(const struct table *t, struct numbers *all)
 {
@@ -194,16 +195,17 @@ summarise_sieve_numbers(const struct table *t)
 	return all;
 }
 
-/* Recognises numbers of sieves, 4, 8, 16 .. 200, which rise while the sieves
- * get finer.  said: the heading says number; 16, 8, 4 could also be in mm.
- * Without such a heading, fractions of an inch above them show that they are
- * not sizes. */
+/* Recognises numbers of ASTM E11 sieves, 4, 8, 16 .. 200, which rise while the
+ * sieves get finer.  said: the heading says number, though 16, 8, 4 could also
+ * be in mm.  Without such a heading, fractions of an inch above them show that
+ * they are not mm.  Returns SIEVES_ASSUMED, and leaves t->unit, if they are not
+ * sieve numbers. */
 static enum sieve_certainty
 recognise_astm_numbers(struct table *t, const struct numbers *all, bool said)
 {
 	bool astm = all->n > 2 && all->n_part + all->n_astm == all->n;
 	if (!astm || (!said && (!all->rises || all->n < 4)))
-		return SIEVES_ASSUMED; /* they are something else */
+		return SIEVES_ASSUMED;
 	t->unit = (struct sieve_unit){0, SIEVE_ASTM};
 	if (said && !all->rises && all->in_mm >= 1)
 		return SIEVES_OPEN;
@@ -221,8 +223,8 @@ guess_sieve_unit(const struct numbers *all)
 	    small || all->most > COARSE_TOP ? 1e-3 : 1, SIEVE_NONE};
 }
 
-/* Decides the unit of the sieves, here only: assumes mm or um if none is stated
- * and the numbers leave no doubt.  means: the words of the heading. */
+/* Decides the unit of the sieves.  Assumes mm or um if none is stated and the
+ * numbers leave no doubt.  means: the meanings of the heading. */
 static enum sieve_certainty
 site_sieve_find_unit(struct table *t, uint64_t means)
 {
@@ -232,7 +234,7 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 	bool said = (means & WORD_NUMBER) != 0;
 	if (all.named)
 		return SIEVES_SAID;
-	/* The letter is that of a diameter, too. */
+	/* The letter phi also means a diameter. */
 	if (t->unit.series == SIEVE_PHI && all.n_beyond == 0)
 		return all.n_below > 0 || all.even ? SIEVES_SAID : SIEVES_OPEN;
 	if (t->unit.series == SIEVE_PHI)
@@ -247,7 +249,8 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 		return SIEVES_OPEN;
 	}
 	if (mesh)
-		return SIEVES_SAID; /* and each row is told to lack a series */
+		/* and each row is reported for its missing series */
+		return SIEVES_SAID;
 	t->unit = (struct sieve_unit){1, SIEVE_NONE};
 	enum sieve_certainty numbers = recognise_astm_numbers(t, &all, said);
 	if (t->unit.series == SIEVE_ASTM)
@@ -278,9 +281,10 @@ are_sizes_in_order(const double *v, size_t n)
 	return rises == pairs || falls == pairs;
 }
 
-/* Reads 2, 1, 500, 250 as mm and um: sieves below 1 mm are named by their um,
- * as in ISO 3310.  Adds the unit to these cells, at one end of the table, if
- * that puts all sizes in order. */
+/* Reads 2, 1, 500, 250 as mm and um, because sieves below 1 mm are named by
+ * their um, as in ISO 3310.  Adds the unit to the cells in um, which are at one
+ * end of the table, if that puts all sizes in order.  Returns true if it
+ * did. */
 static bool
 split_mm_and_um(struct table *t)
 {
@@ -341,7 +345,8 @@ site_sieve_heading_cell(const struct table *t)
 				     : t->row[0].cell[0];
 }
 
-/* Compares neighbours, so that one wrong size is one fault. */
+/* Checks that sizes fall and do not repeat.  Compares neighbours, so that one
+ * wrong size is one fault. */
 static void
 site_sieve_check_order(struct table *t)
 {
@@ -351,7 +356,7 @@ site_sieve_check_order(struct table *t)
 		if (isnan(t->mm[i]))
 			continue;
 		struct cell cell = t->row[i].cell[0];
-		size_t twin = t->mm[i] < least ? i : 0; /* in order: none */
+		size_t twin = t->mm[i] < least ? i : 0;
 		least = fmin(least, t->mm[i]);
 		while (twin < i && t->mm[twin] != t->mm[i])
 			twin++;
@@ -374,7 +379,8 @@ enum sieve_certainty
 site_sieve_find_unit_and_sort(struct table *t, uint64_t told)
 {
 	FREED char *head = layout_heading_text(t, 0);
-	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
+	/* A heading of speeds, beside sieves without a heading, states no unit
+	 * of size. */
 	struct head said = heading_parse(head);
 	bool speeds =
 	    (said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0) &&
@@ -407,8 +413,8 @@ site_sieve_find_unit_and_sort(struct table *t, uint64_t told)
 	return certainty;
 }
 
-/* Reports a number in a column without a heading: a decimal comma may have cut
- * a number in two. */
+/* Reports a number in a column without a heading, as a decimal comma may have
+ * cut a number in two. */
 static void
 check_columns_have_headings(struct table *t)
 {
@@ -472,7 +478,7 @@ site_sieve_rows_before_repeat(const struct table *t, size_t *again)
 				t->unit, &mm[i]) != SIEVE_IS_NONE;
 		words = !size && words > i ? i : words;
 		mm[i] = size ? mm[i] : (double)NAN;
-		/* In order: none was there before. */
+		/* A size below all before it cannot be a repeat. */
 		bool twice = mm[i] >= least && is_repeated_size(mm, i);
 		least = fmin(least, mm[i]);
 		in_a_row = twice ? in_a_row + 1 : 0;

@@ -1,4 +1,4 @@
-/* The sieves of a table: openings, order, unit.
+/* The sieves of a table: their openings, order and unit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_SIEVE_H
 #define TIPSPEED_IO_SITEFILE_SITE_SIEVE_H
@@ -15,26 +15,29 @@ enum sieve_certainty {
 	SIEVES_OPEN     /* several units are possible */
 };
 
-/* Finds the unit of a table's sieves and sorts its rows, coarsest first.  told:
- * the meanings of a heading given by the user (lexicon.h), or 0. */
+/* Finds the unit of a table's sieves, and sorts the rows of the table, coarsest
+ * first.  told: the meanings (lexicon.h) of the heading that the user gave the
+ * sieves, or 0. */
 enum sieve_certainty site_sieve_find_unit_and_sort(
     struct table *t, uint64_t told);
 
-/* Returns the heading cell of the sieves, or the cell of the first sieve. */
+/* Returns the heading cell of the sieves or, if there is none, the first
+ * sieve's cell. */
 struct cell site_sieve_heading_cell(const struct table *t);
 
 /* Reports sizes that are wrong, out of order or duplicate. */
 void site_sieve_check_sizes(struct table *t);
 
-/* Returns the number of rows before another table with the same sieves that
- * follows without an empty line, or n_row if there is none.  again: out, the
- * first row of that table. */
+/* Returns the number of rows before a second table with the same sieves, which
+ * follows without an empty line; n_row if there is none.  *again gets the first
+ * row of that table. */
 size_t site_sieve_rows_before_repeat(const struct table *t, size_t *again);
 
 /* Returns the unit of a table's sieves: "mm", "um", "in", "Tyler mesh". */
 const char *site_sieve_unit_text(const struct table *t);
 
-/* Reads a size, mm to 9 decimals.  Returns NAN after a fault. */
+/* Returns a size in mm, rounded to 9 decimals, or NAN after a fault.  unit: mm;
+ * wanted: what a fault says was expected. */
 double site_sieve_read_mm(
     struct sheet *sheet, struct cell cell, double unit, const char *wanted);
 

@@ -13,14 +13,15 @@
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/site_heading.h"
 
-/* The line of a table's first heading, or of its first row. */
+/* Returns the line of a table's first heading or, without one, of its first
+ * row. */
 static int
 first_line_of_table(const struct table *t)
 {
 	return t->n_head > 0 ? t->head[0].line : t->row[0].line;
 }
 
-/* True if the words state which sample a table has. */
+/* True if a heading states which sample a table has: a role or a speed. */
 static bool
 is_title_of_sample(const struct head *head)
 {
@@ -28,7 +29,7 @@ is_title_of_sample(const struct head *head)
 	       heading_has_speed(head);
 }
 
-/* True for the value of "Sample; Feed", the two cells of a line. */
+/* True if cell c of a line is the value in "Sample; Feed". */
 static bool
 is_value_of_sample_key(const struct row *row, size_t c)
 {
@@ -41,8 +42,8 @@ is_value_of_sample_key(const struct row *row, size_t c)
 	       unknown == 0 && is_title_of_sample(&value);
 }
 
-/* True if cell c may be a title: the only one of its line, or the sample that
- * the line names. */
+/* True if cell c of a line may be a title: it is the only one, or the line is a
+ * key for a sample and its value. */
 static bool
 can_be_title_cell(const struct row *row, size_t c)
 {
@@ -52,7 +53,7 @@ can_be_title_cell(const struct row *row, size_t c)
 	return filled == 1 || (filled == 2 && is_value_of_sample_key(row, c));
 }
 
-/* True for a line above a table and below those before it. */
+/* True if a line is above a table and below the tables before it. */
 static bool
 is_line_above_table(const struct table *t, const struct row *row)
 {
@@ -60,10 +61,10 @@ is_line_above_table(const struct table *t, const struct row *row)
 	       row->line > t->after;
 }
 
-/* Whether cell c of a line may head a table: within three lines above it, over
- * its columns where the line has more cells, or the only cell of a line further
- * above, such as "Product, 67 m/s" over the date of a sample; and no key with
- * its value. */
+/* True if cell c of a line may be part of a table's title: it is within three
+ * lines above the table and, if the line has more cells, over its columns; or
+ * it is further above and the only cell of its line, such as "Product, 67 m/s"
+ * over the date of a sample.  It is not a key with its value. */
 static bool
 can_head_table(const struct table *t, const struct row *row, size_t c)
 {
@@ -100,7 +101,7 @@ title_find_day(const struct layout *layout, const struct table *t, char *before,
 	return day;
 }
 
-/* Adds a line above a table to its title if it is alone. */
+/* Adds cell c of a line to a table's title if it may be one. */
 static void
 append_title_line(
     struct table *t, const struct row *row, size_t c, const struct head *title)
@@ -115,7 +116,7 @@ append_title_line(
 }
 
 /* Takes the speed that a line above a table states with a key, "tip speed; 70".
- * False if none does. */
+ * Returns false if there is none. */
 static bool
 take_speed_above_table(const struct layout *layout, const struct table *t,
     struct heading_speed *speed)
@@ -139,13 +140,13 @@ title_has_speed_per_table(const struct layout *layout)
 	return false;
 }
 
-/* What titles may say of all numbers below them. */
+/* What a title may say about all numbers below it. */
 static const uint64_t BASIS_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS |
 				    WORD_PERCENT | WORD_GRAMS | WORD_SHARE |
 				    WORD_MASS;
 
-/* True if the words are one basis: "% passing", "percent retained", "masses in
- * g". */
+/* True if words say what numbers are: "% passing", "percent retained", "masses
+ * in g". */
 static bool
 are_words_of_basis(uint64_t means)
 {
@@ -158,9 +159,9 @@ are_words_of_basis(uint64_t means)
 	       (stays || (means & WORD_MASS) != 0);
 }
 
-/* Sets the basis that the titles of a table state.  One with a number, "mass of
- * sample 2000 g", "36 % passing", is not about all of them, but may contradict
- * another. */
+/* Sets t->basis from the lines of a table's title.  A line with a number, "mass
+ * of sample 2000 g", "36 % passing", does not say what all numbers are, but it
+ * may contradict a line that does. */
 static void
 take_basis_from_titles(struct table *t)
 {
@@ -183,7 +184,7 @@ take_basis_from_titles(struct table *t)
 	t->basis = stated && are_words_of_basis(all) ? all : 0;
 }
 
-/* True if a name tells one sample from others: S1, Prov A, Berga. */
+/* True if a name can tell one sample from others: S1, Prov A, Berga. */
 static bool
 is_name_of_one_sample(const char *name)
 {
@@ -196,8 +197,8 @@ is_name_of_one_sample(const char *name)
 }
 
 /* Splits a line, "S2: product at 65 m/s" or "S2 | product | 65 m/s", into the
- * name of a sample and what is said of it.  False if it has no such parts.  The
- * caller frees both. */
+ * name of a sample and what is said about it.  Returns false if it has no such
+ * parts.  The caller frees both in either case. */
 static bool
 split_key_of_sample(const struct row *row, char **name, char **said)
 {
@@ -212,8 +213,8 @@ split_key_of_sample(const struct row *row, char **name, char **said)
 	return (*said)[0] != '\0' && is_name_of_one_sample(*name);
 }
 
-/* Returns the only heading of a table that is a name and says less than `said`;
- * NULL: none. */
+/* Returns the only heading of a table that is this name and says less than
+ * `said`; NULL if there is none, or several. */
 static struct cell *
 heading_to_explain(struct table *t, const char *name, const struct head *said)
 {
@@ -262,15 +263,16 @@ title_take_key_of_samples(struct layout *layout)
 	layout->n_heading = n;
 }
 
-/* What the lines above a table say of all of its samples.  differ: they state
- * several speeds, so each is that of one sample. */
+/* What the lines above a table say about all of its samples.  differ: they
+ * state several speeds, so each is that of one sample. */
 struct title_says {
 	uint64_t role;
 	double speed, rpm;
 	bool differ;
 };
 
-/* Takes what a line says.  A greatest or least speed is that of no sample. */
+/* Takes what a line of the title says.  The highest or lowest speed of a
+ * machine is not that of a sample. */
 static void
 take_title(const struct head *title, struct title_says *says)
 {
@@ -288,7 +290,7 @@ take_title(const struct head *title, struct title_says *says)
 	says->rpm = title->rpm;
 }
 
-/* Takes the lines above a table that are its title. */
+/* Takes the lines that are a table's title, and returns what they say. */
 static struct title_says
 take_title_lines(const struct layout *layout, struct table *t)
 {
@@ -356,8 +358,8 @@ title_feed_or_last_line(const struct table *t)
 }
 
 /* True if a word of n bytes is, or begins with, a number that counts or dates
- * something; not if it has a unit, which may follow it, or is a range of
- * sizes. */
+ * something; not if it has a unit, or one follows at `next`, or it is a range
+ * of sizes. */
 static bool
 is_counting_number(const char *word, size_t n, const char *next)
 {
@@ -380,7 +382,8 @@ is_counting_number(const char *word, size_t n, const char *next)
 	return !range && !unit && !measured;
 }
 
-/* True if a word is a name: of unknown meaning, or with a number in it. */
+/* True if a word is a name: it is unknown, or has a number that is not a
+ * measurement. */
 static bool
 is_name_word(const char *word, size_t n, const char *next)
 {
@@ -393,7 +396,7 @@ is_name_word(const char *word, size_t n, const char *next)
 		       : own || is_counting_number(word, n, next);
 }
 
-/* True if text a contains a name that is no word of b; both are folded. */
+/* True if text a contains a name that is not a word of b.  Both are folded. */
 static bool
 has_name_not_in(const char *a, const char *b)
 {
@@ -422,8 +425,8 @@ title_names_differ(const char *a, const char *b)
 	return has_name_not_in(one, other) && has_name_not_in(other, one);
 }
 
-/* Returns the last lines of a title, as many as another has: above the first
- * table also stands what is said of all. */
+/* Returns as many of the last lines of a title as another title has.  The lines
+ * above the first table may also include some that are about all tables. */
 static const char *
 last_title_lines_like(const char *title, const char *other)
 {
@@ -451,8 +454,8 @@ title_tells_limits_or_mean(const struct table *t)
 	return (heading_parse(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
 }
 
-/* True if a table has one product, with its speed in the title or in a line
- * above. */
+/* True if a table's only sample c is a product whose speed is known, and the
+ * title speaks of a single sample. */
 static bool
 has_one_product_with_speed(const struct table *t, const struct column *c)
 {
@@ -462,8 +465,8 @@ has_one_product_with_speed(const struct table *t, const struct column *c)
 	       !head.several && !title_tells_limits_or_mean(t);
 }
 
-/* True if product k has the same title as those before it, but another
- * speed. */
+/* True if the product of table k has the same title as the products before it,
+ * but another speed. */
 static bool
 is_same_title_other_speed(
     struct table *const *table, size_t k, const struct columns *all)
@@ -481,8 +484,8 @@ is_same_title_other_speed(
 	return true;
 }
 
-/* True if of two tables one has the feed and the other all products, and no
- * name in their titles speaks against it. */
+/* True if there are two tables, one with the feed and the other with all
+ * products, and no name in their titles contradicts that. */
 static bool
 are_feed_and_products(
     struct table *const *table, size_t n, const struct columns *all)
@@ -533,7 +536,8 @@ titles_are_speed_series(
 	return one;
 }
 
-/* True if a word ends with the speed of a sample, as P72 does. */
+/* True if the number after a word's letters is the speed of sample c, as in
+ * P72. */
 static bool
 ends_with_speed(const char *word, size_t letters, const struct column *c)
 {
@@ -543,8 +547,8 @@ ends_with_speed(const char *word, size_t letters, const struct column *c)
 }
 
 /* Returns the folded text without what may differ from test to test: speeds,
- * dates, the number after "test", and default names of sheets.  c: the product.
- * The caller frees it. */
+ * dates, the number after "test", and default names of sheets.  c: the product
+ * of the test.  The caller frees it. */
 static char *
 name_of_test(const char *text, const struct column *c)
 {
@@ -581,8 +585,8 @@ has_same_test_name(const char *a, const struct column *first, const char *b,
 	return strcmp(one, other) == 0;
 }
 
-/* True if two sheets are of one series of tests: their names are days, or
- * differ only as those of tests do. */
+/* True if two sheets belong to one series of tests: their names are days, or
+ * differ only as names of tests do. */
 static bool
 has_same_sheet_name(const struct sheet *a, const struct column *first,
     const struct sheet *b, const struct column *c)

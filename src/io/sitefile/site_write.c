@@ -11,19 +11,19 @@
 #include "io/fs/file.h"
 #include "io/sitefile/units.h"
 
-/* A curve to write and the first of its sieves not yet written. */
+/* A curve to write, and the first of its sieves that is not yet written. */
 struct curve {
 	const char *role;
-	double speed; /* m/s; 0: without one in the header */
+	double speed; /* m/s; 0: none in the heading */
 	bool small;   /* written in fractions */
 	const struct psd *psd;
 	const double *value; /* [psd->n] fractions */
 	size_t next;
 };
 
-/* True if products at a speed are written as fractions: the reader takes
- * percents that never exceed 1 for fractions, so such a product is written in
- * fractions, and so are its repeats, which share its unit. */
+/* True if the products at a speed must be written as fractions: the reader
+ * takes percentages that never exceed 1 for fractions.  Repeats at the speed
+ * share the unit. */
 static bool
 must_write_as_fractions(const struct site *site, double speed)
 {
@@ -52,7 +52,7 @@ write_key_and_value(const char *key, const char *value, FILE *out)
 	fputc('\n', out);
 }
 
-/* Returns "72, 74 (2)", the runs whose feed was not sampled, or "". */
+/* Returns the runs whose feed was not sampled, "72, 74 (2)", or "". */
 static char *
 list_runs_lacking_feed(const struct site *site)
 {
@@ -88,8 +88,8 @@ write_lines_above_table(const struct site *site, FILE *out)
 		    site->note[i].key, site->note[i].value, out);
 }
 
-/* True if each run has its own feed.  One feed serves all runs unless there are
- * several, or a run has only its feed, which no other column would name. */
+/* True if each run gets a feed column of its own: the site has individual
+ * feeds, or a run has only a feed, whose speed no other column would state. */
 static bool
 has_feed_per_run(const struct site *site)
 {
@@ -99,8 +99,8 @@ has_feed_per_run(const struct site *site)
 	return own;
 }
 
-/* Lists the columns in order; `curve` has room for three per run and one
- * more. */
+/* Lists the columns in order and returns their number.  `curve` has room for
+ * three per run and one more. */
 static size_t
 list_curves_to_write(const struct site *site, struct curve *curve)
 {
@@ -125,7 +125,7 @@ list_curves_to_write(const struct site *site, struct curve *curve)
 	return n;
 }
 
-/* Returns the coarsest sieve not yet written, mm, or 0 if all are. */
+/* Returns the coarsest sieve, mm, that is not yet written, or 0. */
 static double
 next_size_to_write(const struct curve *curve, size_t n)
 {

@@ -3,22 +3,23 @@
 #ifndef TIPSPEED_IO_SITEFILE_UNITS_H
 #define TIPSPEED_IO_SITEFILE_UNITS_H
 
-/* Limits for the sizes of sieves and feeds; sizes beyond are typing errors. */
+/* Limits for the sizes of sieves and feeds.  Sizes outside are typing
+ * errors. */
 #define SIZE_LEAST_MM 1e-6
 #define SIZE_MOST_MM 1e4
 
 #include <math.h>
 #include <stdbool.h>
 
-/* Converts a size in m to mm.  A size from a sheet comes back as the number
- * written there (0.063, not 0.063000000000000000001), exact to a picometre. */
+/* Converts a size from m to mm.  A size from a sheet comes back as the number
+ * in the sheet (0.063, not 0.063000000000000000001), exact to 1e-9 mm. */
 static inline double
 units_mm(double m)
 {
 	return isfinite(m) ? round(m * 1e12) / 1e9 : m;
 }
 
-/* Converts a passing, 0..1, to per cent; exact for sheets with up to 12
+/* Converts a passing from 0..1 to per cent; exact for sheets with up to 12
  * decimals. */
 static inline double
 units_pct(double passing)
@@ -26,8 +27,8 @@ units_pct(double passing)
 	return isfinite(passing) ? round(passing * 1e14) / 1e12 : passing;
 }
 
-/* Returns the number of decimals with which to show a speed in m/s: two if the
- * speed, as given, has exactly two, else one. */
+/* Returns the number of decimals to show a speed in m/s with: two if the speed
+ * has exactly two, else one. */
 static inline int
 units_speed_decimals(double v)
 {

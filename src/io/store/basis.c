@@ -1,6 +1,7 @@
 /* Writes and reads the basis of a calibration as text: a line
- * "name=number,number name=.. " for the fit, a line for each assumption about
- * the sheet, an empty line, and the sheets, separated by an empty line.
+ * "name=number,number name=.. " for the fit, a line for each thing that was
+ * assumed about the sheet, an empty line, and the sheets, separated by an empty
+ * line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/basis.h"
 
@@ -16,7 +17,7 @@
 
 enum kind { REAL, COUNT, FLAG };
 
-/* Numbers of a basis, n of a kind. */
+/* The numbers of a basis, n under each name. */
 static const struct item {
 	const char *name;
 	enum kind kind;
@@ -41,7 +42,7 @@ static const struct item {
     {"upper", REAL, offsetof(struct fit_record, bounds.upper), PARAMS_MOST},
     {"weight", REAL, offsetof(struct fit_record, weight), 1}};
 
-/* What a sheet was taken for, which its own words do not say. */
+/* How a sheet was read, which the sheet that site_write prints does not say. */
 static const struct taken {
 	const char *name;
 	size_t offset;
@@ -103,7 +104,7 @@ write_fit_line(const struct fit_record *b, FILE *out)
 	fputc('\n', out);
 }
 
-/* Replaces line ends with \n: the text of a store is one line. */
+/* Replaces line ends with \n, because texts in the store have one line. */
 static char *
 escape_line_ends(const char *text)
 {
@@ -152,7 +153,7 @@ fit_record_to_text(const struct fit_record *b)
 	return escape_line_ends(text);
 }
 
-/* Reads the numbers of "name=1,2,3"; unknown names, from a later version, are
+/* Reads the numbers of "name=1,2,3".  Names from a later version are
  * ignored. */
 static bool
 parse_named_numbers(struct fit_record *b, const char *name, char *list)
@@ -171,7 +172,8 @@ parse_named_numbers(struct fit_record *b, const char *name, char *list)
 	return true;
 }
 
-/* *train out: what is after train=, within the line. */
+/* Reads the line of the fit.  *train gets the text after train=, within the
+ * line. */
 static bool
 read_fit_line(struct fit_record *b, char *line, const char **train)
 {
@@ -201,7 +203,7 @@ fit_record_read_site(const char *text)
 	return site;
 }
 
-/* Ends the text at the next empty line.  Returns what comes after it, or
+/* Ends the text at the next empty line.  Returns the text after that, or
  * NULL. */
 static char *
 cut_at_empty_line(char *text)
@@ -228,7 +230,8 @@ read_provenance_lines(struct site *site, const char *lines)
 	}
 }
 
-/* Reads which runs were trained on, "1,0,1". */
+/* Reads which runs were trained on, "1,0,1".  Returns false if none can have
+ * been. */
 static bool
 parse_training_runs(struct fit_record *b, const char *train)
 {
@@ -262,7 +265,7 @@ fit_record_copy_from_material(struct fit_record *b, const struct material *m)
 		fit->stop++;
 }
 
-/* True if a calibration can have written this. */
+/* True if the numbers can come from a calibration. */
 static bool
 fit_record_is_possible(const struct fit_record *b)
 {

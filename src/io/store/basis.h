@@ -7,9 +7,9 @@
 #include "core/search/calibrate.h"
 #include "io/store/material.h"
 
-/* then: the site at the time of calibration, on the runs marked in train
- * [n_run]; now: the site with runs added since, or NULL.  weight: see
- * calibration_sum_of_weights. */
+/* fit: the calibration, within bounds.  then: the site as it was calibrated, on
+ * the runs marked in train [n_run]; now: the site with runs added since, or
+ * NULL.  weight: see calibration_sum_of_weights. */
 struct fit_record {
 	struct fit fit;
 	struct bounds bounds;
@@ -23,11 +23,11 @@ struct fit_record {
  * prints them.  The caller frees it. */
 char *fit_record_to_text(const struct fit_record *basis);
 
-/* Reads the basis of a material, with other numbers of the fit from the
+/* Reads the basis of a material, and the other numbers of its fit from the
  * material's fields.  A basis from fit_record_to_text reads back bit for bit.
  * Returns false without an error if the material has no basis, and with
- * ERROR_DATA for a text that no calibration writes, as a store may come from
- * another user.  Always clear the basis. */
+ * ERROR_DATA if its text cannot come from a calibration (a store may come from
+ * another user).  Always clear the basis. */
 bool fit_record_of_material(
     const struct material *m, struct fit_record *basis, struct error *error);
 void fit_record_clear(struct fit_record *basis);

@@ -1,5 +1,5 @@
-/* Describes a material's fields in one table, used by the store, its CSV form
- * and output; reads Table 3.
+/* Describes a material's fields in one table, which the store, its CSV form and
+ * the commands use; reads Table 3.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/material.h"
 
@@ -18,7 +18,7 @@
 #include "io/cells/textfile.h"
 #include "io/sitefile/units.h"
 
-/* Made from data/table3.csv at build time: its rows without the remarks. */
+/* The rows of data/table3.csv, without remarks, made at build time. */
 extern const char *const TABLE3_TEXT[];
 
 #define AT(member) offsetof(struct material, member)
@@ -125,7 +125,7 @@ material_find(const struct material_list *list, const char *name)
 	return NULL;
 }
 
-/* Returns the number of parameters; 0 if the model is unknown. */
+/* Returns the number of the model's parameters; 0 if the model is unknown. */
 static size_t
 count_model_params(const struct params *p)
 {
@@ -145,7 +145,7 @@ params_to_text(const struct params *p)
 	return text;
 }
 
-/* Returns the number in "name=number" among others, or NAN. */
+/* Returns the number after "name=" in a text of several such pairs, or NAN. */
 static double
 find_param_in_text(const char *text, const char *name)
 {
@@ -245,8 +245,8 @@ material_visit_fields(
 	}
 }
 
-/* Adds a field to the digest.  Empty fields and the name of the paper's model
- * are omitted, so a row keeps its digest when a later schema adds a column. */
+/* Adds a field to the digest.  Omits empty fields and the name of the paper's
+ * model, so that a row keeps its digest when a later schema adds a column. */
 static void
 digest_field(void *data, const char *name, const char *text)
 {
@@ -290,7 +290,7 @@ material_is_table3_name(const char *name)
 
 enum { MOST_NAME = 60 };
 
-/* Returns the index of the first impossible parameter, or the number of
+/* Returns the index of the first parameter outside its limits, or the number of
  * parameters. */
 static size_t
 index_of_impossible_param(const struct params *p)
@@ -417,8 +417,8 @@ material_is_printable_line(const char *text)
 	return *p == '\0' && text_is_utf8(text, (size_t)(p - text));
 }
 
-/* Reads a row of a table such as data/table3.csv.  False if it shows that the
- * file is of another kind. */
+/* Reads a row of a table such as data/table3.csv.  Returns false if the row
+ * shows that the file is of another kind. */
 static bool
 material_read_table3_row(
     struct sheet *sheet, const struct row *row, struct material_list *list)
@@ -431,7 +431,8 @@ material_read_table3_row(
 		    "load",
 		    (int)CELLS, row->n);
 	struct material m = material_empty();
-	m.params = params_start_values(0); /* beta is not printed */
+	/* for beta, which is not in the table */
+	m.params = params_start_values(0);
 	const struct {
 		double *number, most;
 	} column[CELLS] = {[TOP] = {&m.top_size_mm, SIZE_MOST_MM},
@@ -455,7 +456,7 @@ material_read_table3_row(
 	return true;
 }
 
-/* Consumes the text.  False after a fault, which is reported. */
+/* Reads the rows of a text, and frees it.  Returns false after a fault. */
 static bool
 read_materials_in_text(const char *path, char *text, struct material_list *list,
     struct error_list *errors)
@@ -487,8 +488,8 @@ material_read_table3_file(
 	    path, textfile_read(path, TEXTFILE_SHEET, errors), list, errors);
 }
 
-/* Names sites as a session does: a later one of the same name has its size, and
- * one of the same name and size a number. */
+/* Returns the name of row i: that of its site; with the top size if several
+ * sites have that name; and with a number if several also have that size. */
 static char *
 material_table3_name(const struct material_list *rows,
     const struct material_list *list, size_t i)
@@ -516,7 +517,7 @@ material_add_table3(struct material_list *list)
 	struct error_list none = {0};
 	bool good = read_materials_in_text(
 	    "Table 3", textfile_join_lines(TABLE3_TEXT), &rows, &none);
-	/* It is part of the program: the tests read all of it. */
+	/* The table is part of the program, and tests read all of it. */
 	assert(good);
 	(void)good;
 	for (size_t i = 0; i < rows.n; i++) {

@@ -1,4 +1,4 @@
-/* A material of the store: parameters of a breakage model, and their source.
+/* Materials: the parameters of a breakage model, and where they come from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_STORE_MATERIAL_H
 #define TIPSPEED_IO_STORE_MATERIAL_H
@@ -10,12 +10,13 @@
 #include "base/error.h"
 #include "core/model/breakage.h"
 
-/* One material.  Text is never NULL, but "" if not known; an unknown number is
- * NAN, an unknown whole number -1.  feed_source: for a row of Table 3, its
- * feeds, such as "Individual"; else NULL.  provenance: of the site's data, so
- * synthetic data are never mistaken for measured data.  origin: "fit", "hand"
- * or, for Table 3, "table3".  rmse_pct: points, on the training runs;
- * holdout_pct: the largest on the other runs.  basis: see basis.h. */
+/* One material.  Texts are never NULL, but "" if not known; an unknown number
+ * is NAN, an unknown whole number -1.  feed_source: for a row of Table 3, its
+ * feeds, such as "Individual"; else NULL.  provenance: that of the site's data,
+ * so that synthetic data are never mistaken for measured data.  origin: "fit",
+ * "hand" or, for Table 3, "table3".  rmse_pct: in percentage points, on the
+ * training runs; holdout_pct: the largest of the other runs.  basis: see
+ * basis.h. */
 struct material {
 	char *name, *site, *rock, *machine, *provenance, *site_digest;
 	char *origin, *method, *appearance, *options, *stop, *train_mps;
@@ -30,8 +31,8 @@ struct material_list {
 	struct material *item;
 };
 
-/* FIELD_MODEL: the name of the breakage model; FIELD_PARAMS: all its
- * parameters, "beta1=0 .. alpha=0.96". */
+/* What kind of value a field has.  FIELD_MODEL: the name of the breakage model;
+ * FIELD_PARAMS: all its parameters, "beta1=0 .. alpha=0.96". */
 enum field_kind {
 	FIELD_TEXT,
 	FIELD_NUMBER,
@@ -40,8 +41,8 @@ enum field_kind {
 	FIELD_PARAMS
 };
 
-/* A column of the store and of its CSV form.  needed: never empty.  choices:
- * the allowed texts, or NULL; least, most: limits for a number. */
+/* A column of the store and of its CSV form.  needed: it is never empty.
+ * choices: the allowed texts, or NULL; least, most: the limits of a number. */
 struct field {
 	const char *name;
 	enum field_kind kind;
@@ -54,7 +55,7 @@ struct field {
 enum { FIELD_COUNT = 25, FIELD_OF_NAME = 0 };
 extern const struct field FIELDS[FIELD_COUNT];
 
-/* Returns a material with no field known. */
+/* Returns a material in which no field is known. */
 struct material material_empty(void);
 void material_free(struct material *m);
 void material_list_free(struct material_list *list);
@@ -66,19 +67,19 @@ void material_list_add(struct material_list *list, struct material m);
 const struct material *material_find(
     const struct material_list *list, const char *name);
 
-/* Return where the value of a field of this kind is kept in m. */
+/* Return the place of a field's value in m, by the kind of the field. */
 char **material_text_of_field(const struct material *m, const struct field *f);
 double *material_number_of_field(
     const struct material *m, const struct field *f);
 int64_t *material_integer_of_field(
     const struct material *m, const struct field *f);
-/* Returns any field as text that reads back as the same value, or "" if not
- * known.  The caller frees it. */
+/* Returns a field of any kind as a text that reads back as the same value, or
+ * "" if not known.  The caller frees it. */
 char *material_field_to_text(const struct material *m, const struct field *f);
 
-/* Sets a field from a text of material_field_to_text, the model before the
- * parameters.  Numbers that cannot be read become unknown, and parameters NAN,
- * which material_is_field_valid rejects. */
+/* Sets a field from a text as material_field_to_text returns it.  The model is
+ * set before the parameters.  Numbers that cannot be read become unknown, and
+ * parameters NAN, which material_is_field_valid rejects. */
 void material_set_field(
     struct material *m, const struct field *f, const char *text);
 
@@ -89,29 +90,31 @@ typedef void material_take_field(
 void material_visit_fields(
     const struct material *m, material_take_field *take, void *data);
 
-/* Returns a digest of all known fields of m, to detect a row damaged on
- * disk. */
+/* Returns a digest of all known fields of m, with which the store detects rows
+ * damaged on disk. */
 uint64_t material_make_digest(const struct material *m);
 
-/* Returns method, appearance and k as settings. */
+/* Returns the material's method, appearance and k as settings. */
 struct model_settings material_model_settings(const struct material *m);
 
-/* For imports and rows of a file, which may come from other users.
- * material_valid_values_text describes valid values of a field, "a number
+/* These check imports and rows of a file, which may come from other users.
+ * material_valid_values_text describes the valid values of a field, "a number
  * from 0 to 100 for alpha"; for the parameters, those of the first invalid one
- * in m. material_faulty_value_text returns the value in m.  The caller frees
- * both. material_is_field_valid is true if the value in m is valid. */
+ * in m.  material_faulty_value_text returns the value in m.  The caller frees
+ * both.  material_is_field_valid is true if the value in m is valid. */
 char *material_valid_values_text(
     const struct material *m, const struct field *f);
 char *material_faulty_value_text(
     const struct material *m, const struct field *f);
 bool material_is_field_valid(const struct material *m, const struct field *f);
 
-/* True if a name is one line of 1 to 60 bytes without a double quote, does not
- * begin with # and is not a name from Table 3 ("table3/..."). */
+/* Returns true if a name is one line of 1 to 60 bytes without double quotes,
+ * does not begin with # and is not a name from Table 3 ("table3/..."); else
+ * false with a usage error. */
 bool material_check_name(const char *name, struct error *error);
 
-/* True for the rows of Table 3, which are read-only, and for their names. */
+/* True for the rows of Table 3, which cannot be changed, and for their
+ * names. */
 bool material_is_table3(const struct material *m);
 bool material_is_table3_name(const char *name);
 
@@ -119,10 +122,10 @@ bool material_is_table3_name(const char *name);
 bool material_is_printable_line(const char *text);
 
 /* Adds the rows of a file such as data/table3.csv, whose columns are rock,
- * site, top_size_mm, f_mat, feed_source, E0_min and alpha, in this order; beta,
- * which the table lacks, gets its default.  On failure, returns false and all
- * faults of the sheet in errors, zeroed by the caller; ERROR_SYSTEM if the file
- * cannot be read. */
+ * site, top_size_mm, f_mat, feed_source, E0_min and alpha, in this order.
+ * beta, which the table does not have, gets its default.  On failure, returns
+ * false and adds all faults of the sheet to errors, which the caller has
+ * zeroed; ERROR_SYSTEM if the file cannot be read. */
 bool material_read_table3_file(
     const char *path, struct material_list *list, struct error_list *errors);
 

@@ -1,7 +1,7 @@
 /* Reads and writes materials in the store's file.
  *
- * SQLite uses a write-ahead log, synced at every commit, so a kill at any
- * moment loses nothing that was reported as stored.
+ * SQLite uses a write-ahead log, which is synced at every commit, so a kill at
+ * any moment loses nothing that was reported as stored.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/store.h"
 
@@ -21,10 +21,10 @@
 #include "config.h"
 #include "io/fs/xdg.h"
 
-/* How long to wait for another program. */
+/* How long to wait for another program, and between attempts. */
 enum { WAIT_MS = 5000, PAUSE_MS = 20 };
 
-/* fold: the name without case and accents.  digest: of the row, see
+/* fold: the name without case and accents.  digest: that of the row, see
  * material_make_digest.  about: the program that made this schema. */
 const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "CREATE TABLE about (program TEXT NOT NULL);CREATE TABLE material ( fold "
@@ -52,14 +52,15 @@ const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "ALTER TABLE material DROP COLUMN alpha;",
     "ALTER TABLE material ADD COLUMN basis TEXT;"};
 
-/* db: while it is open; that of ":memory:" stays open. */
+/* db: NULL unless it is open; ":memory:" stays open. */
 struct store {
 	char *path;
-	bool own_folder; /* it may be made */
+	bool own_folder; /* the default one, which may be made */
 	sqlite3 *db;
 };
 
-/* exact(number): the shortest text that reads back the same, for the steps. */
+/* SQL function exact(number), for SCHEMA_STEPS: the shortest text that reads
+ * back as the same number. */
 static void
 sql_function_exact(sqlite3_context *context, int n, sqlite3_value **value)
 {
@@ -70,7 +71,8 @@ sql_function_exact(sqlite3_context *context, int n, sqlite3_value **value)
 	    -1, SQLITE_TRANSIENT);
 }
 
-/* folded(text): without case and accents, as names and rocks are compared. */
+/* SQL function folded(text): the text without case and accents, as names and
+ * rocks are compared. */
 static void
 sql_function_folded(sqlite3_context *context, int n, sqlite3_value **value)
 {
@@ -80,8 +82,8 @@ sql_function_folded(sqlite3_context *context, int n, sqlite3_value **value)
 	    text_fold_case_and_accents(text != NULL ? text : ""), -1, free);
 }
 
-/* Returns a name, possibly of another user, as it can be read and typed:
- * escaped and shortened. */
+/* Returns a name, which may come from another user, escaped and shortened so
+ * that it can be read and typed. */
 static char *
 short_escaped_name(const char *name)
 {
@@ -93,7 +95,7 @@ short_escaped_name(const char *name)
 	return label;
 }
 
-/* shown(name): as short_escaped_name. */
+/* SQL function shown(name): short_escaped_name. */
 static void
 sql_function_shown(sqlite3_context *context, int n, sqlite3_value **value)
 {
@@ -103,7 +105,8 @@ sql_function_shown(sqlite3_context *context, int n, sqlite3_value **value)
 	    context, short_escaped_name(text != NULL ? text : ""), -1, free);
 }
 
-/* The kind of error, its words and the next step, by SQLite's result code. */
+/* For each of SQLite's result codes: the kind of error, what it says, and what
+ * to do. */
 static const struct problem {
 	int code;
 	enum error_kind kind;
@@ -116,14 +119,12 @@ static const struct problem {
 	N_("try again; this session keeps its data")},
     {SQLITE_READONLY, ERROR_SYSTEM, N_("the store cannot be written to"),
 	N_("check the permissions of the file and its folder, or use another "
-	   "with "
-	   "--store=PATH")},
+	   "with --store=PATH")},
     {SQLITE_PERM, ERROR_SYSTEM, N_("the store cannot be opened"),
 	N_("check the permissions of the file and its folder")},
     {SQLITE_CANTOPEN, ERROR_SYSTEM, N_("the store cannot be opened"),
 	N_("check the name, the folder and its permissions, or use another "
-	   "with "
-	   "--store=PATH")},
+	   "with --store=PATH")},
     {SQLITE_FULL, ERROR_SYSTEM, N_("the store cannot grow: the disk is full"),
 	N_("free some space and try again; this session keeps its data")},
     {SQLITE_IOERR, ERROR_SYSTEM, N_("the store cannot be read or written"),
@@ -141,8 +142,8 @@ sql_column_text(sqlite3_stmt *stmt, int i)
 	return text != NULL ? text : "";
 }
 
-/* Returns SQLite's code for the latest failure; NOMEM if there is not even a
- * database. */
+/* Returns SQLite's code for the latest failure; SQLITE_NOMEM if there is no
+ * database at all. */
 static int
 sqlite_code(const struct store *store)
 {
@@ -160,8 +161,9 @@ set_error_from_sqlite(const struct store *store, struct error *error)
 		const struct problem *p = &PROBLEMS[i];
 		if (p->code != code)
 			continue;
-		/* SQLite tries a file it may not make once more without making
-		 * it, and then misses it: ENOENT says too little. */
+		/* If it may not make the file, SQLite tries again to open it
+		 * without making it, and reports ENOENT, which says too
+		 * little. */
 		bool why = reason != 0 && reason != ENOENT &&
 			   p->kind == ERROR_SYSTEM && code != SQLITE_BUSY;
 		return error_at(error, p->kind, store->path, 0, 0, "%s%s%s\n%s",
@@ -170,10 +172,11 @@ set_error_from_sqlite(const struct store *store, struct error *error)
 	}
 	return error_at(error, ERROR_SYSTEM, store->path, 0, 0,
 	    "the store fails: %s",
-	    store->db != NULL ? sqlite3_errmsg(store->db) : "no memory");
+	    store->db != NULL ? sqlite3_errmsg(store->db) : tr("no memory"));
 }
 
-/* Runs SQL without results.  False with the error set. */
+/* Runs SQL that has no results.  Returns false with the error set on
+ * failure. */
 static bool
 run_sql(struct store *store, const char *sql, struct error *error)
 {
@@ -182,7 +185,7 @@ run_sql(struct store *store, const char *sql, struct error *error)
 }
 
 /* Returns the first value of the first row as text, which the caller frees;
- * NULL without a row or after a failure. */
+ * NULL if there is no row, or after a failure. */
 static char *
 query_first_text(struct store *store, const char *sql)
 {
@@ -195,7 +198,8 @@ query_first_text(struct store *store, const char *sql)
 	return text;
 }
 
-/* Returns a whole number; -1 after a failure. */
+/* Returns the first value of the first row as a whole number, or -1 after a
+ * failure. */
 static long
 query_first_integer(struct store *store, const char *sql)
 {
@@ -203,8 +207,8 @@ query_first_integer(struct store *store, const char *sql)
 	return text != NULL ? strtol(text, NULL, 10) : -1;
 }
 
-/* Sets WAL mode, which a file then keeps.  Changing the mode needs the whole
- * file, for which SQLite does not wait by itself. */
+/* Sets WAL mode, which the file then keeps.  Changing the mode needs exclusive
+ * use of the file, for which SQLite does not wait by itself. */
 static bool
 set_wal_mode(struct store *store, struct error *error)
 {
@@ -222,7 +226,7 @@ set_wal_mode(struct store *store, struct error *error)
 	}
 }
 
-/* Runs `change` as one transaction, which keeps all of it or nothing. */
+/* Runs `change` as one transaction: all of it takes effect, or nothing. */
 static bool
 run_transaction(struct store *store,
     bool (*change)(struct store *, const void *of, struct error *),
@@ -236,8 +240,8 @@ run_transaction(struct store *store,
 	return false;
 }
 
-/* Reads the version again, as another program may have migrated the file
- * meanwhile. */
+/* Upgrades the file to STORE_SCHEMA.  Reads its version again, as another
+ * program may have upgraded it meanwhile. */
 static bool
 migrate_schema(struct store *store, const void *none, struct error *error)
 {
@@ -259,7 +263,7 @@ migrate_schema(struct store *store, const void *none, struct error *error)
 }
 
 /* Checks every page and index of a small store.  In a large one that takes
- * longer than everything else (0.3 s for 100,000 materials), and each row read
+ * longer than everything else (0.3 s for 100,000 materials); but each row read
  * has its digest. */
 static bool
 check_database_integrity(struct store *store, struct error *error)
@@ -292,7 +296,8 @@ refuse_newer_store(struct store *store, long version, struct error *error)
 	    PACKAGE_VERSION, (int)STORE_SCHEMA);
 }
 
-/* Checks what the file is.  *version: 0 for an empty one. */
+/* Checks that the file is a store that this program can read.  *version gets
+ * its schema, 0 for an empty file. */
 static bool
 check_database_version(struct store *store, long *version, struct error *error)
 {
@@ -315,7 +320,7 @@ check_database_version(struct store *store, long *version, struct error *error)
 	return fresh || check_database_integrity(store, error);
 }
 
-/* Opens a file or URI in place of the database that is open. */
+/* Opens a file or URI; closes the database that was open. */
 static void
 open_sqlite(struct store *store, const char *path, int flags)
 {
@@ -340,9 +345,9 @@ open_sqlite(struct store *store, const char *path, int flags)
 	    NULL, NULL, NULL);
 }
 
-/* SQLite reads a file in WAL mode only where it can write beside it.  In a
- * folder that is closed to us, and without a log of another program, the file
- * itself is all there is to read. */
+/* Opens a store in a folder without write access.  SQLite normally reads a file
+ * in WAL mode only if it can write beside it; without a log of another program,
+ * the file is complete and can be read as immutable. */
 static void
 open_in_closed_folder(struct store *store)
 {
@@ -353,13 +358,14 @@ open_in_closed_folder(struct store *store)
 	open_sqlite(store, uri, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
-/* By which materials are filtered.  No step of the schema: a program that knows
- * nothing of it keeps it, and a store without it can be read. */
+/* The index for filtering materials.  It is not a step of the schema: older
+ * programs keep it without knowing it, and stores without it can be read. */
 static const char INDEX[] = "CREATE INDEX IF NOT EXISTS material_near ON "
 			    "material (rock, top_size_mm, fold)";
 
-/* Opens and checks the file, for reading also in a folder without write access;
- * brings an older schema up to date, all steps or none. */
+/* Opens and checks the file; if only for reading, also in a folder without
+ * write access.  Upgrades an older schema, all steps or none.  make: an empty
+ * or missing file becomes a store. */
 static bool
 open_checked_database(
     struct store *store, bool make, long *version, struct error *error)
@@ -432,7 +438,7 @@ store_file_bytes(const struct store *store)
 	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
 }
 
-/* Makes the folders above the file, for this user alone. */
+/* Makes the folders above the file, accessible only to the user. */
 static bool
 make_folders_of_store(const char *path, struct error *error)
 {
@@ -455,9 +461,9 @@ store_close(struct store *store)
 	store->db = NULL;
 }
 
-/* Opens the file, or ":memory:".  make: a file that is missing or empty becomes
- * a store; without it db is then NULL, which is no error.  False: db is
- * NULL. */
+/* Opens the file, or ":memory:".  make: a missing or empty file becomes a
+ * store; otherwise such a file leaves db NULL, which is not an error.  Returns
+ * false on failure, with db NULL. */
 static bool
 store_open(struct store *store, bool make, struct error *error)
 {
@@ -487,8 +493,8 @@ store_open(struct store *store, bool make, struct error *error)
 	return ok;
 }
 
-/* "SELECT fold, digest, name, ..." or "INSERT ... VALUES (?, ?, ?, ...)": the
- * fields follow fold and digest. */
+/* Returns SQL in which all fields, or a ? for each, follow `before`: "SELECT
+ * fold, digest, name, ..." or "INSERT ... VALUES (?, ?, ?, ...)". */
 static char *
 sql_listing_fields(const char *before, bool marks, const char *after)
 {
@@ -505,7 +511,8 @@ material_digest_text(const struct material *m)
 	return xasprintf("%016" PRIx64, material_make_digest(m));
 }
 
-/* False for a material that no import would accept. */
+/* Returns false with an error for a material that an import would not
+ * accept. */
 static bool
 check_material_fields(const struct material *m, struct error *error)
 {
@@ -524,8 +531,8 @@ check_material_fields(const struct material *m, struct error *error)
 	return false;
 }
 
-/* True if a row is unchanged since it was stored.  Its name is also stored
- * folded, by which it is found. */
+/* Returns true if a row is unchanged since it was stored; else false with an
+ * error.  A row is found by its folded name, which is stored too. */
 static bool
 is_row_unchanged(const struct material *m, const char *fold, const char *digest,
     struct error *error)
@@ -544,12 +551,12 @@ is_row_unchanged(const struct material *m, const char *fold, const char *digest,
 	return good;
 }
 
-/* What a row of a result is given to; false ends the reading. */
+/* A function that takes a row of a result; returns false to stop reading. */
 typedef bool take_row(const struct store *store, sqlite3_stmt *stmt, void *data,
     struct error *error);
 
-/* Adds the material of a row to a list.  False if it is not as it was
- * stored. */
+/* Adds the material of a row to a list.  Returns false if the row has changed
+ * since it was stored. */
 static bool
 take_checked_material(const struct store *store, sqlite3_stmt *stmt, void *data,
     struct error *error)
@@ -588,7 +595,7 @@ take_count(const struct store *store, sqlite3_stmt *stmt, void *data,
 	return true;
 }
 
-/* Whom a visit gives the words. */
+/* The function that visits each word, and its data. */
 struct visitor {
 	void (*take)(void *data, const char *word);
 	void *data;
@@ -611,9 +618,9 @@ bind_text(sqlite3_stmt *stmt, int i, const char *text)
 	sqlite3_bind_text(stmt, i, text, -1, SQLITE_TRANSIENT);
 }
 
-/* Binds ?1 name, ?2 rock, ?3 and ?4 the least and the largest top size, ?5 the
- * top size wanted, ?6 the number of rows, ?7 their distance; a statement may
- * have fewer. */
+/* Binds ?1 to the name, ?2 the rock, ?3 and ?4 the smallest and the largest top
+ * size, ?5 the top size wanted, ?6 the number of rows, ?7 q->apart.  A
+ * statement may use only some of them. */
 static void
 bind_query_values(sqlite3_stmt *stmt, const struct store_query *q)
 {
@@ -655,12 +662,13 @@ store_run(struct store *store, const char *sql, const struct store_query *q,
 	return ok;
 }
 
-/* Returns the condition of a query, of which bind_query_values has the
- * values. */
+/* Returns the FROM and WHERE clauses of a query, whose values bind_query_values
+ * binds.  The caller frees them. */
 static char *
 where_clause(const struct store_query *q)
 {
-	/* Rows that are not wanted are not read: an index has what tells. */
+	/* Rows are selected by the index alone, so only those wanted are
+	 * read. */
 	char *where = xstrdup(
 	    q->first > 0 ? " FROM material WHERE fold IN (SELECT fold FROM "
 			   "material WHERE 1"
@@ -673,8 +681,8 @@ where_clause(const struct store_query *q)
 		    "HAVING folded(rock) = ?2)");
 	if (q->top_most > 0)
 		xappend(&where, " AND top_size_mm BETWEEN ?3 AND ?4");
-	/* Those of the rock first, then by how often the one size goes into the
-	 * other; what is not stated is the farthest. */
+	/* Those of the rock first, then by the ratio of the two sizes; a size
+	 * that is not stated is the farthest. */
 	if (q->most > 0)
 		xappend(&where,
 		    " AND fold IN (SELECT fold FROM material ORDER BY "
@@ -775,7 +783,7 @@ bind_material(sqlite3_stmt *stmt, const struct material *m)
 	}
 }
 
-/* What store_put_materials was called with. */
+/* The arguments of store_put_materials. */
 struct put {
 	const struct material *item;
 	size_t n;
@@ -834,7 +842,7 @@ bool
 store_remove_material(
     struct store *store, const char *name, struct error *error)
 {
-	/* By its name, otherwise by the name shown in errors. */
+	/* Find it by its name, otherwise by the name that errors show. */
 	static const char SQL[] =
 	    "DELETE FROM material WHERE fold = ifnull((SELECT fold FROM "
 	    "material WHERE fold = ?1), (SELECT fold FROM material WHERE "

@@ -18,9 +18,9 @@
 
 /* A column: a field of FIELDS, or a parameter of some model. */
 struct column {
-	const struct field *field; /* NULL: a parameter */
+	const struct field *field; /* NULL for a parameter */
 	const struct param_info *param;
-	size_t at; /* counted from 0; SIZE_MAX: there is none */
+	size_t at; /* counted from 0; SIZE_MAX if missing */
 };
 
 enum { COLUMNS = 64 };
@@ -35,8 +35,8 @@ has_param_column(const struct column *column, size_t n, const char *name)
 	return false;
 }
 
-/* Lists the fields, with a column for each parameter of the paper's model and
- * of the models marked.  Returns their number. */
+/* Lists the columns: one for each field, and one for each parameter of the
+ * paper's model and of the models marked in model.  Returns their number. */
 static size_t
 list_csv_columns(const bool *model, struct column column[static COLUMNS])
 {
@@ -109,8 +109,8 @@ store_csv_write_file(
 	    path, FILE_SHARED, write_materials_csv, list, error);
 }
 
-/* True if a file must have the column: old exports have no model and no basis,
- * and each model has its own parameters. */
+/* True if a file must have the column.  Old exports have neither model nor
+ * basis, and each model has its own parameters. */
 static bool
 is_required_column(const struct column *c)
 {
@@ -147,7 +147,7 @@ find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 		    other_model || (c < n && column[c].field != NULL &&
 				       column[c].field->kind == FIELD_MODEL);
 	}
-	/* A file of another kind lacks most: the name stands for all. */
+	/* A file of another kind lacks most columns; report only the name. */
 	bool other = column[0].at == SIZE_MAX;
 	for (size_t c = 0; c < (other ? 1 : n); c++)
 		if (column[c].at == SIZE_MAX &&
@@ -167,7 +167,7 @@ parse_material_param_cell(struct sheet *sheet, struct cell cell,
     const struct param_info *info, struct material *m)
 {
 	double value;
-	FREED char *wanted = xasprintf("a number from %g to %g for %s",
+	FREED char *wanted = xasprintf(tr("a number from %g to %g for %s"),
 	    info->least, info->most, info->name);
 	size_t j = breakage_parameter_index(
 	    breakage_model_of_params(&m->params), info->name);
@@ -203,12 +203,13 @@ parse_material_field_cell(struct sheet *sheet, struct cell cell,
 		sheet_fault_expected(sheet, cell, wanted, NULL);
 }
 
-/* list: of the rows after the head; column: of their names. */
+/* Reports names that occur twice, or are in the store already (there).  list:
+ * the materials of the rows after the heading; column: that of their names. */
 static void
 check_names_unique(struct sheet *sheet, size_t column,
     const struct material_list *there, const struct material_list *list)
 {
-	/* By names without case and accents, true: in the store. */
+	/* Folded names; true means in the store. */
 	json_t *known = json_object();
 	for (size_t i = 0; there != NULL && i < there->n; i++) {
 		FREED char *fold =
@@ -236,7 +237,8 @@ check_names_unique(struct sheet *sheet, size_t column,
 	json_decref(known);
 }
 
-/* Reads the model first, because its parameters depend on it. */
+/* Reads a row.  FIELDS has the model before its parameters, which depend on
+ * it. */
 static void
 store_csv_read_row(struct sheet *sheet, const struct row *row,
     const struct column *column, size_t n, struct material_list *list)
