@@ -287,18 +287,19 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	if (lister == NULL || command_option_index(lister, "speeds") == OPTIONS)
 		return;
 	join_words_to_speed_range(words);
+	/* The parser handles a single word if there is a bare option. */
+	bool bare = lister == command && command->bare != NULL;
 	bool lists = false, list;
 	size_t n = 1;
 	FREED char *joined = xstrdup(OPTION);
 	for (; n < words->n && is_speed_range_or_list(words->text[n], &list);
 	     n++) {
-		list = list || is_two_speeds(s, words->text[n]);
+		list = list || (!bare && is_two_speeds(s, words->text[n]));
 		FREED char *part = speed_as_list_item(words->text[n], list);
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
-	/* The parser handles a single word if there is a bare option. */
-	bool alone = lister == command && command->bare == NULL;
+	bool alone = lister == command && !bare;
 	if (n > 2 || lists || (n > 1 && alone))
 		words_replace_by_one(words, 1, n - 1, joined);
 }
