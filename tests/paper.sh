@@ -15,7 +15,7 @@ result $status "the script runs"
 # Comments are its text, commands stand below, and what is drawn below these.
 awk 'BEGIN {
 	print "# The paper, figure by figure\n"
-	print "Made of data/sessions/paper.tip by `make renew-paper`.\n"
+	print "Made from data/sessions/paper.tip by `make renew-paper`.\n"
 }
 function flush() {
 	if (code != "") print "\n" code
