@@ -288,8 +288,8 @@ appearance_chart(
 	breaker_set_params(&b, &params, &s->set.model);
 	breaker_set_speed(&b, speed);
 	struct chart *chart = site_chart(site,
-	    axis_new_log(tr("progeny / parent u, -"), 0.001, 1),
-	    axis_new_percent(tr("finer than u B(u), %")),
+	    axis_new_log(tr("size ratio u: progeny / parent, -"), 0.001, 1),
+	    axis_new_percent(tr("share finer than u: B(u), %")),
 	    "appearance function (Eq 1)");
 	struct chart_series *curve =
 	    chart_add(chart, SITE_CHART_PREDICTED, SAMPLES, "B(u)");
