@@ -301,6 +301,24 @@ appearance_chart(
 	return chart;
 }
 
+/* Notes which model the site's parameters belong to, if it is not that of the
+ * paper. */
+static void
+note_other_model(
+    struct chart *chart, const struct session *s, const struct entry *entry)
+{
+	if (entry == NULL || !entry->has_params)
+		return;
+	const struct breakage *model = breakage_model_of_params(&entry->params);
+	bool energies = s->set.model.impacts.n > 0;
+	if (model == BREAKAGES[0] && !energies)
+		return;
+	chart_note(chart,
+	    energies ? N_("model: %s, with collision energies")
+		     : N_("model: %s"),
+	    model->name);
+}
+
 /* The chart is handed back by an argument: cppcheck takes one that is returned
  * for the request. */
 static void
@@ -309,8 +327,11 @@ make_chart_in_theme(plot_make *make, struct session *s,
     struct error *error)
 {
 	*chart = make(s, request, error);
-	if (*chart != NULL)
-		(*chart)->theme = (enum theme)s->set.theme;
+	if (*chart == NULL)
+		return;
+	(*chart)->theme = (enum theme)s->set.theme;
+	if (request->kind != PLOT_MAP && request->kind != PLOT_ENERGY)
+		note_other_model(*chart, s, request->asked.entry);
 }
 
 struct chart *
