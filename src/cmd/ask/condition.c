@@ -330,15 +330,14 @@ conditions_is_likely_complete(const char *text)
 	struct error none = {0};
 	struct quantity q;
 	if (of != NULL)
-		return quantities_parse_one(
-		    of, &(struct partition){0, 1}, &q, &none);
-	static const struct fraction WHOLE = {.partition = {0, 1}};
+		return quantities_parse_one(of, &PARTITION_IDEAL, &q, &none);
+	const struct fraction whole = {.partition = PARTITION_IDEAL};
 	FREED char *with = replace_words_by_sign(text);
 	const char *sign = strpbrk(with, "<>=");
 	if (sign != NULL)
 		return strpbrk(sign, DIGITS) != NULL;
 	struct condition c;
-	FREED char *name = split_quantity_and_limit(with, &WHOLE, &c);
+	FREED char *name = split_quantity_and_limit(with, &whole, &c);
 	return name != NULL;
 }
 
