@@ -9,7 +9,9 @@
 
 #include "base/xalloc.h"
 
-static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
+/* ending: the first signal that ends the program, or 0. */
+static volatile sig_atomic_t interrupted, ending, asked, watching, stopped,
+    woken, resized;
 
 /* Signals that are let in while the program waits. */
 static sigset_t let_in;
@@ -17,8 +19,10 @@ static sigset_t let_in;
 static void
 on_ending_signal(int signal)
 {
-	if (noted == 0 || noted == SIGINT)
-		noted = signal;
+	if (signal == SIGINT)
+		interrupted = 1;
+	else if (ending == 0)
+		ending = signal;
 }
 
 static void
@@ -96,7 +100,7 @@ signals_wait_with_mask(const sigset_t *mask, double seconds)
 bool
 signals_wait_for_input(double seconds)
 {
-	if (noted != 0 || stopped || woken || resized)
+	if (signals_pending() != 0 || stopped || woken || resized)
 		return false;
 	return signals_wait_with_mask(&let_in, seconds);
 }
@@ -159,27 +163,26 @@ signals_suspend_program(void)
 int
 signals_pending(void)
 {
-	return noted;
+	return ending != 0 ? ending : interrupted ? SIGINT : 0;
 }
 
 bool
 signals_is_end_wanted(void)
 {
-	return noted != 0 && noted != SIGINT;
+	return ending != 0;
 }
 
 void
 signals_forget_interrupt(void)
 {
-	/* Between the two, another signal may come. */
-	if (noted == SIGINT)
-		noted = 0;
+	interrupted = 0;
 }
 
 int
 signals_exit_status(void)
 {
-	return noted != 0 ? 128 + noted : 0;
+	int signal = signals_pending();
+	return signal != 0 ? 128 + signal : 0;
 }
 
 bool
@@ -201,7 +204,7 @@ signals_is_stop_wanted(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-	if (noted != 0)
+	if (signals_pending() != 0)
 		return true;
 	sigpending(&held);
 	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||
