@@ -225,9 +225,10 @@ draw_search_effort(const struct tui *t, int row)
 	struct calibrate_status st =
 	    calibration_status(t->session->job.calibration);
 	double seconds = tui_search_seconds(t);
-	char pace[32] = "full";
+	char pace[32];
+	snprintf(pace, sizeof pace, tr("full"));
 	if (t->ui.pace == PACE_AUTO)
-		snprintf(pace, sizeof pace, "auto");
+		snprintf(pace, sizeof pace, tr("auto"));
 	else if (t->ui.pace < PACE_FULL)
 		snprintf(pace, sizeof pace, "%g/s", PACES[t->ui.pace]);
 	screen_text(&t->layout.side, row, 0, LOOK_DIM,

@@ -717,7 +717,7 @@ static const char *
 short_size_text(double mm, char text[static 24])
 {
 	if (isnan(mm))
-		snprintf(text, 24, "off");
+		snprintf(text, 24, tr("off"));
 	else if (isinf(mm))
 		snprintf(text, 24, tr("none"));
 	else
