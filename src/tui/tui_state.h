@@ -230,7 +230,7 @@ struct view {
 
 /* A letter that may begin a word, see word.h.  held: its key, which has not
  * acted yet; was: the choices before that. */
-struct word {
+struct held_letter {
 	char letter;
 	double at;
 	const struct key *held;
@@ -271,7 +271,7 @@ struct tui {
 	struct edit line;      /* a command, or a goal */
 	struct edit speed;
 	struct edit filter; /* filter for the rows of a list */
-	struct word word;
+	struct held_letter word;
 	struct paste paste;
 	double pasted; /* time of its last character */
 	struct viewer viewer;

@@ -563,7 +563,8 @@ conditions_met_speeds_text(
 /* Returns ", up to the fastest asked" and the like, to be translated, for a
  * range with an end that is only that of the search; else "". */
 static const char *
-search_end_suffix(const struct wanted *wanted, double from, double to)
+search_end_suffix(
+    const struct conditions_search *wanted, double from, double to)
 {
 	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
 	return slowest && fastest ? N_(", all speeds asked")
@@ -574,7 +575,7 @@ search_end_suffix(const struct wanted *wanted, double from, double to)
 
 char *
 conditions_met_speeds_with_units(
-    const struct wanted *wanted, const struct speed_search *found)
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	double rotor = wanted->entry->site->rotor;
 	size_t n = found->n_inside;
@@ -591,7 +592,8 @@ conditions_met_speeds_with_units(
 /* Returns the distance of the value at the forecast's speed from the limit of
  * a margin, in the quantity's unit; negative if the limit is missed. */
 static double
-margin_in_quantity_unit(const struct wanted *wanted, struct margin margin)
+margin_in_quantity_unit(
+    const struct conditions_search *wanted, struct margin margin)
 {
 	size_t i = margin.limit.i;
 	if (i == SIZE_MAX || quantities_unit(&wanted->at[i].quantity)[0] == '%')
@@ -606,7 +608,8 @@ margin_in_quantity_unit(const struct wanted *wanted, struct margin margin)
 }
 
 char *
-conditions_margin_text(const struct wanted *wanted, struct margin margin)
+conditions_margin_text(
+    const struct conditions_search *wanted, struct margin margin)
 {
 	const struct quantity *q = &wanted->at[margin.limit.i].quantity;
 	double points = fabs(100 * margin.passing);
@@ -620,7 +623,7 @@ conditions_margin_text(const struct wanted *wanted, struct margin margin)
 }
 
 void
-conditions_put_list(struct fields *o, const struct wanted *wanted,
+conditions_put_list(struct fields *o, const struct conditions_search *wanted,
     const struct speed_search *found)
 {
 	struct fields *list = fields_add_list(o, "conditions");
@@ -644,7 +647,7 @@ conditions_put_list(struct fields *o, const struct wanted *wanted,
 /* Adds a row for each condition.  People get the margin in the quantity's
  * unit, programs in points. */
 static void
-add_condition_rows(struct answer *r, const struct wanted *wanted,
+add_condition_rows(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found, bool people)
 {
 	double rotor = people ? wanted->entry->site->rotor : 0;
@@ -688,7 +691,7 @@ add_condition_rows(struct answer *r, const struct wanted *wanted,
 }
 
 void
-conditions_add_rows(struct answer *r, const struct wanted *wanted,
+conditions_add_rows(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found)
 {
 	add_condition_rows(r, wanted, found, true);
@@ -696,20 +699,21 @@ conditions_add_rows(struct answer *r, const struct wanted *wanted,
 	add_condition_rows(r, wanted, found, false);
 }
 
-struct wanted
+struct conditions_search
 conditions_open_search(const struct session *s, const struct question *q,
     const struct condition_list *list, const struct condition *target)
 {
 	const struct quantity *more = target != NULL ? &target->quantity : NULL;
-	struct wanted w =
+	struct conditions_search w =
 	    wanted_from_question(s, q, list->n, list->at, more != NULL, more);
 	w.target = target;
 	return w;
 }
 
 bool
-conditions_note_feed_is_finer(struct answer *r, const struct wanted *wanted,
-    const struct condition *c, bool most)
+conditions_note_feed_is_finer(struct answer *r,
+    const struct conditions_search *wanted, const struct condition *c,
+    bool most)
 {
 	const struct quantity *q = &c->quantity;
 	int rises = quantity_change_if_finer(q);
@@ -730,7 +734,7 @@ conditions_note_feed_is_finer(struct answer *r, const struct wanted *wanted,
 /* As conditions_note_feed_is_finer, about the limit that the nearest speed
  * misses. */
 static bool
-note_feed_misses_limit(struct answer *r, const struct wanted *wanted,
+note_feed_misses_limit(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found)
 {
 	struct wanted_limit missed = found->margin.limit;
@@ -741,8 +745,8 @@ note_feed_misses_limit(struct answer *r, const struct wanted *wanted,
 /* Notes the limits that exclude slower and faster speeds than the nearest one.
  * Nothing is known beyond the ends of the search. */
 static void
-note_conflicting_limits(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found)
+note_conflicting_limits(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct wanted_limit low = found->low, high = found->high;
 	if (note_feed_misses_limit(r, wanted, found))
@@ -774,7 +778,8 @@ conditions_decimals_of_miss(double points)
 }
 
 double
-conditions_nearest_measured_speed(const struct wanted *wanted, double speed)
+conditions_nearest_measured_speed(
+    const struct conditions_search *wanted, double speed)
 {
 	const struct site *site = wanted->entry->site;
 	double near = NAN, slowest = INFINITY, fastest = -INFINITY;
@@ -792,8 +797,8 @@ conditions_nearest_measured_speed(const struct wanted *wanted, double speed)
 /* If the best speed lies beyond the measured ones, notes by how much the
  * nearest measured speed misses.  Leaves the forecast at the best speed. */
 static void
-note_nearest_measured_speed(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found)
+note_nearest_measured_speed(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct site *site = wanted->entry->site;
 	double near = conditions_nearest_measured_speed(wanted, found->best);
@@ -812,8 +817,8 @@ note_nearest_measured_speed(struct answer *r, const struct wanted *wanted,
 }
 
 void
-conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found)
+conditions_note_why_unmet(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const char *what =
 	    wanted->n > 1 ? tr("all conditions") : tr("the condition");
@@ -853,7 +858,7 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
  * the measured speeds, or NAN if neither does. */
 static double
 farthest_extrapolated_end(
-    const struct wanted *wanted, const struct speed_search *found)
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct speed_range *in = speed_search_best_range(found);
 	if (in == NULL)
@@ -867,7 +872,8 @@ farthest_extrapolated_end(
 
 void
 conditions_show_basis(struct answer *r, const struct question *q,
-    const struct wanted *wanted, const struct speed_search *found, double speed)
+    const struct conditions_search *wanted, const struct speed_search *found,
+    double speed)
 {
 	const struct session *s = wanted->s;
 	const double at[] = {speed, farthest_extrapolated_end(wanted, found)};
@@ -897,7 +903,7 @@ conditions_show_basis(struct answer *r, const struct question *q,
 /* True if the slow or the fast end of the search is farther from the measured
  * speeds than answers can be relied on. */
 static bool
-is_end_unreliable(const struct wanted *wanted, bool fast)
+is_end_unreliable(const struct conditions_search *wanted, bool fast)
 {
 	return fast ? wanted->to > wanted->measured[1] + wanted->reach
 		    : wanted->from < wanted->measured[0] - wanted->reach;
@@ -915,8 +921,8 @@ search_end_as_typed(const struct site *site, double speed, bool fastest)
 }
 
 void
-conditions_note_unsearched_speeds(
-    struct answer *r, const struct wanted *wanted, bool slower, bool faster)
+conditions_note_unsearched_speeds(struct answer *r,
+    const struct conditions_search *wanted, bool slower, bool faster)
 {
 	const double more = 15;
 	const struct site *site = wanted->entry->site;
@@ -940,8 +946,8 @@ conditions_note_unsearched_speeds(
 }
 
 void
-conditions_note_no_reliable_speed(
-    struct answer *r, const struct wanted *wanted, bool slower, bool faster)
+conditions_note_no_reliable_speed(struct answer *r,
+    const struct conditions_search *wanted, bool slower, bool faster)
 {
 	bool all_measured = wanted->from <= wanted->measured[0] &&
 			    wanted->to >= wanted->measured[1];
@@ -974,8 +980,8 @@ conditions_times_in_100_text(double share)
  * 99 times in 100", or "best 84.9 m/s, .." where that is not to be relied
  * on. */
 static char *
-speed_to_run_at_text(
-    const struct wanted *wanted, bool several, const struct speed_search *w)
+speed_to_run_at_text(const struct conditions_search *wanted, bool several,
+    const struct speed_search *w)
 {
 	const struct entry *entry = wanted->entry;
 	bool beyond = answers_is_speed_extrapolated(entry, w->best);
@@ -1007,7 +1013,7 @@ speed_to_run_at_text(
 
 /* Notes which speed to run at and which others will do. */
 static void
-note_speed_to_run_at(struct answer *r, const struct wanted *wanted,
+note_speed_to_run_at(struct answer *r, const struct conditions_search *wanted,
     bool several, const struct speed_search *w)
 {
 	double level = 100 * wanted->level;
@@ -1027,8 +1033,8 @@ note_speed_to_run_at(struct answer *r, const struct wanted *wanted,
 }
 
 static void
-note_slowest_safe_speed(
-    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
+note_slowest_safe_speed(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *w)
 {
 	FREED char *rpm =
 	    rotor_speed_rpm_text(wanted->entry->site->rotor, w->safe, NAN);
@@ -1042,8 +1048,8 @@ note_slowest_safe_speed(
 /* Notes how certain speeds are where the answer meets the conditions at none.
  */
 static void
-note_certainty_where_unmet(
-    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
+note_certainty_where_unmet(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *w)
 {
 	size_t most = 0;
 	for (size_t k = 0; k < w->n; k++)
@@ -1065,8 +1071,9 @@ note_certainty_where_unmet(
 }
 
 void
-conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
-    bool several, bool detail, const struct speed_search *w)
+conditions_note_best_speed(struct answer *r,
+    const struct conditions_search *wanted, bool several, bool detail,
+    const struct speed_search *w)
 {
 	if (w->n_inside > 0) {
 		note_speed_to_run_at(r, wanted, several, w);

@@ -79,16 +79,16 @@ char *conditions_limit_text(
  * conditions_put_list an object to the list "conditions": the limits, the value
  * at the forecast's speed with its band, the margin, and the range of speeds
  * where this condition holds by itself. */
-void conditions_add_rows(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found);
-void conditions_put_list(struct fields *o, const struct wanted *wanted,
-    const struct speed_search *found);
+void conditions_add_rows(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found);
+void conditions_put_list(struct fields *o,
+    const struct conditions_search *wanted, const struct speed_search *found);
 
 /* Prepares a question's search over settings_default_speed_range for the
  * list's conditions and a target, or NULL.  The list may be empty, if the
  * target is all that is sought.  List and target must outlive the result; free
  * its `forecast` with forecast_close. */
-struct wanted conditions_open_search(const struct session *s,
+struct conditions_search conditions_open_search(const struct session *s,
     const struct question *q, const struct condition_list *list,
     const struct condition *target);
 
@@ -99,11 +99,12 @@ struct wanted conditions_open_search(const struct session *s,
 char *conditions_met_speeds_text(
     const struct speed_search *found, const struct site *site);
 char *conditions_met_speeds_with_units(
-    const struct wanted *wanted, const struct speed_search *found);
+    const struct conditions_search *wanted, const struct speed_search *found);
 
 /* Returns how far the value at the forecast's speed is from the limit of a
  * margin, "2.99 mm" or "6.9 points".  The caller frees it. */
-char *conditions_margin_text(const struct wanted *wanted, struct margin margin);
+char *conditions_margin_text(
+    const struct conditions_search *wanted, struct margin margin);
 
 /* Returns the words that find understands, "max 2/5", for words such as "most
  * 2/5"; NULL for others.  The caller frees it. */
@@ -116,41 +117,43 @@ int conditions_decimals_of_miss(double points);
 /* Returns the measured speed nearest to one beyond the measured speeds, m/s;
  * NAN if it lies between them or none were measured. */
 double conditions_nearest_measured_speed(
-    const struct wanted *wanted, double speed);
+    const struct conditions_search *wanted, double speed);
 
 /* If no speed meets all conditions, notes which of them prevent it, and whether
  * the feed alone does.  Moves the forecast to the best speed. */
-void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found);
+void conditions_note_why_unmet(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found);
 
 /* Notes that the feed alone is finer than a limit of a condition allows, which
  * no speed can put right.  most: its upper limit.  Returns false if that is not
  * the case. */
 bool conditions_note_feed_is_finer(struct answer *r,
-    const struct wanted *wanted, const struct condition *c, bool most);
+    const struct conditions_search *wanted, const struct condition *c,
+    bool most);
 
 /* Notes which speed to run at and the range in which the conditions hold with
  * the certainty of a band; in detail the slowest safe speed, too.  If the
  * answer meets them at no speed: where they are most likely to hold.  several:
  * there is more than one condition. */
-void conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
-    bool several, bool detail, const struct speed_search *w);
+void conditions_note_best_speed(struct answer *r,
+    const struct conditions_search *wanted, bool several, bool detail,
+    const struct speed_search *w);
 
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
  * light is worse at an end of the range beyond the measured speeds, the answer
  * has that light, and both are stated. */
 void conditions_show_basis(struct answer *r, const struct question *q,
-    const struct wanted *wanted, const struct speed_search *found,
+    const struct conditions_search *wanted, const struct speed_search *found,
     double speed);
 
 /* conditions_note_unsearched_speeds notes which slower or faster speeds were
  * not searched, and how to search them, unless no answer there can be relied
  * on; conditions_note_no_reliable_speed says that if no speed was found.
  */
-void conditions_note_unsearched_speeds(
-    struct answer *r, const struct wanted *wanted, bool slower, bool faster);
-void conditions_note_no_reliable_speed(
-    struct answer *r, const struct wanted *wanted, bool slower, bool faster);
+void conditions_note_unsearched_speeds(struct answer *r,
+    const struct conditions_search *wanted, bool slower, bool faster);
+void conditions_note_no_reliable_speed(struct answer *r,
+    const struct conditions_search *wanted, bool slower, bool faster);
 
 /* Returns "92 %", but "over 99 %" or "under 1 %" instead of 100 and 0, because
  * draws never prove certainty.  The caller frees it. */

@@ -40,7 +40,7 @@ struct grading {
 	struct condition_list limits;
 	size_t n_sieve;
 	const struct modulus *modulus;
-	struct wanted conditions;
+	struct conditions_search conditions;
 };
 
 /* Opens the comparison with an envelope.  The options cut, sharpness and

@@ -191,7 +191,7 @@ missed_value_text(const struct condition *c, double value, bool most)
  * most. */
 static void
 find_binding_condition(const struct session *s, const struct entry *entry,
-    struct goal *g, struct wanted all)
+    struct goal *g, struct conditions_search all)
 {
 	double best = goals_best_speed(s, g, answers_default_speed(entry));
 	bool met = g->n_met > 0 || (g->n_value == 0 && g->found->n_inside > 0);
@@ -245,7 +245,7 @@ goals_step_search(
 	struct question q = question_of_whole_product(s, entry, feed);
 	struct condition_list ranges = {
 	    .n = g->list.n - g->n_value, .at = g->list.at};
-	struct wanted w = conditions_open_search(
+	struct conditions_search w = conditions_open_search(
 	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);
 	if (g->found == NULL)
 		g->found = speed_search_new(&w);

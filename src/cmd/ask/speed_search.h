@@ -31,7 +31,7 @@ void conditions_free(struct condition_list *list);
  * fastest of those that inform the answer; reach: how far beyond them an answer
  * can be relied on (trust_reach_beyond_speeds), INFINITY if they are not known.
  * Unless stated otherwise, functions move the forecast to other speeds. */
-struct wanted {
+struct conditions_search {
 	const struct session *s;
 	const struct entry *entry;
 	size_t feed;
@@ -44,7 +44,7 @@ struct wanted {
 /* Returns conditions [n] of a question, followed by more quantities [n_more],
  * over the speeds of settings_default_speed_range and without a target.  `at`
  * must outlive it; free its `forecast` with forecast_close. */
-struct wanted wanted_from_question(const struct session *s,
+struct conditions_search wanted_from_question(const struct session *s,
     const struct question *q, size_t n, const struct condition *at,
     size_t n_more, const struct quantity *more);
 
@@ -126,9 +126,10 @@ struct speed_search {
 /* speed_search_step searches one more speed and returns true when the search is
  * complete; speed_search_run searches all at once.  Free with
  * speed_search_free. */
-struct speed_search *speed_search_new(const struct wanted *w);
-bool speed_search_step(struct speed_search *s, const struct wanted *w);
-struct speed_search *speed_search_run(const struct wanted *w);
+struct speed_search *speed_search_new(const struct conditions_search *w);
+bool speed_search_step(
+    struct speed_search *s, const struct conditions_search *w);
+struct speed_search *speed_search_run(const struct conditions_search *w);
 void speed_search_free(struct speed_search *s);
 
 /* Returns the range in `inside` that contains the best speed, or NULL. */
@@ -143,8 +144,8 @@ double speed_search_speed_of_extreme(
  * the margin of a condition's nearer limit, or for SIZE_MAX that of all
  * conditions; conditions_are_met returns true if these hold;
  * conditions_probability returns the share of draws in which all do. */
-struct margin condition_margin(const struct wanted *w, size_t i);
-bool conditions_are_met(const struct wanted *w, size_t i);
-double conditions_probability(const struct wanted *w);
+struct margin condition_margin(const struct conditions_search *w, size_t i);
+bool conditions_are_met(const struct conditions_search *w, size_t i);
+double conditions_probability(const struct conditions_search *w);
 
 #endif

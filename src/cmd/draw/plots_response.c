@@ -326,7 +326,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 	}
 	fill_quantity_lines(s, d, first);
 	if (d->limits.n > 0) {
-		struct wanted wanted =
+		struct conditions_search wanted =
 		    conditions_open_search(s, d->asked, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;

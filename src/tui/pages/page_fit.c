@@ -86,7 +86,7 @@ act_type_bounds(struct tui *t, const struct key *key)
 }
 
 static void
-on_click_parameter(struct tui *t, const struct touched *touched)
+on_click_parameter(struct tui *t, const struct mouse_event *touched)
 {
 	t->ui.param_at = touched->item;
 	act_type_bounds(t, NULL);
@@ -403,7 +403,7 @@ draw_search_panel(struct tui *t)
 /* ---- The generations and the plot ---- */
 
 static void
-on_click_generations(struct tui *t, const struct touched *touched)
+on_click_generations(struct tui *t, const struct mouse_event *touched)
 {
 	size_t n = tui_count_generations(t);
 	int last = touched->area.columns - 1, at = touched->column;

@@ -148,7 +148,7 @@ panel_draw_speed(struct tui *t, const struct area *area)
 
 /* Puts the crosshair where the curve passes so much. */
 static void
-on_click_size(struct tui *t, const struct touched *touched)
+on_click_size(struct tui *t, const struct mouse_event *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	t->ui.crosshair_passing = (int)lround(100 * PSD_PASSING[touched->item]);
@@ -215,7 +215,7 @@ fraction_rows_wanted(struct tui *t)
 
 /* Puts the crosshair on the sieve of a fraction, or on the next finer one. */
 static void
-on_click_fraction(struct tui *t, const struct touched *touched)
+on_click_fraction(struct tui *t, const struct mouse_event *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
@@ -373,7 +373,7 @@ rank_of_limit_by_margin(const double *margin, size_t n, size_t i)
 
 /* A click on the light or the limits explains them. */
 static void
-on_click_verdict(struct tui *t, const struct touched *touched)
+on_click_verdict(struct tui *t, const struct mouse_event *touched)
 {
 	cmdline_run_line(t, touched->item == 0 ? "why" : "spec");
 }

@@ -13,7 +13,7 @@ void track_draw(struct tui *t);
 void track_draw_heading(struct tui *t);
 
 /* A mouse_action: moves the slider to where the mouse is pressed or dragged. */
-void track_on_mouse(struct tui *t, const struct touched *touched);
+void track_on_mouse(struct tui *t, const struct mouse_event *touched);
 
 /* Runs the waiting key if its speeds are known, or computes them at once if
  * `now`.  Drops the key if the slider has been moved since. */

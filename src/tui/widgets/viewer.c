@@ -334,7 +334,7 @@ squeeze_spaces(char *line)
 
 /* A click on a key chooses it, and Enter runs it. */
 static void
-on_click_key(struct tui *t, const struct touched *touched)
+on_click_key(struct tui *t, const struct mouse_event *touched)
 {
 	t->viewer.at = (int)touched->item;
 }
