@@ -345,8 +345,8 @@ mark_box_taken(struct taken *taken, struct box box)
 	taken->box[taken->n++] = box;
 }
 
-/* Puts the name right of the mark, left of it, above or below, or else beside it
- * but lower or higher.  Leaves it out if there is no room. */
+/* Puts the name right of the mark, left of it, above or below, or else beside
+ * it but lower or higher.  Leaves it out if there is no room. */
 static void
 picture_draw_point_name(struct chart_page *p, const struct chart_series *s,
     size_t i, struct taken *taken)

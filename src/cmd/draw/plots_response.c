@@ -357,8 +357,8 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 	return first;
 }
 
-/* Finds the range to draw: from the slowest of speeds= to the fastest, or, without
- * speeds=, the range of the settings. */
+/* Finds the range to draw: from the slowest of speeds= to the fastest, or,
+ * without speeds=, the range of the settings. */
 static bool
 find_range_of_speeds(const struct session *s, const struct question *asked,
     double *from, double *to, struct error *error)

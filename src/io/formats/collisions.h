@@ -23,8 +23,8 @@ struct collisions_way {
 
 /* The content of a file.  form: its kind in words, a constant.  about: the
  * file's own description, or "".  rows: number of rows with numbers; impacts:
- * number of impacts on particles.  weighted: rows have weights and the file does
- * not give the number of impacts; `impacts` then counts rows. */
+ * number of impacts on particles.  weighted: rows have weights and the file
+ * does not give the number of impacts; `impacts` then counts rows. */
 struct collisions {
 	struct spectrum *spectrum;
 	const char *form;
