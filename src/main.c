@@ -116,8 +116,9 @@ main_take_option(
 	}
 }
 
-/* Reported here and not by getopt, which would write the word as it is.  word:
- * the argument read last; a letter in the middle of one is reported alone. */
+/* Sets the error here because getopt would print the word as it is, unescaped.
+ * word: the argument read last.  If a letter inside it is unknown, only that
+ * letter is named. */
 static bool
 refuse_option(
     int option, const char *letters, const char *word, struct error *error)
@@ -163,9 +164,9 @@ read_command_line(
 	return true;
 }
 
-/* A FILE is a site file, or a script when its name ends in .tip.  Site files
- * that follow each other are loaded together: they may be one site's.  stays:
- * somebody sits at a prompt, where a sheet that is refused can be loaded anew
+/* Opens the FILEs: site files, or scripts if their names end in .tip.  Site
+ * files that follow each other are loaded together, because they may be of one
+ * site.  stays: somebody sits at a prompt, and can load a refused sheet anew,
  * as its hint says. */
 static int
 open_files(struct session *s, char *const *path, size_t n, bool stays)
@@ -224,7 +225,7 @@ main_run(
 	if (status != 0)
 		return status;
 	if (prompt)
-		signals_forget_interrupt(); /* of a question */
+		signals_forget_interrupt(); /* from a question about a FILE */
 	if (in->n_action > 0)
 		return run_actions(s, in);
 	if (prompt)
@@ -234,7 +235,8 @@ main_run(
 	return batch_run_script_stream(s, stdin, "stdin");
 }
 
-/* A full disk or a closed pipe must not look like success. */
+/* Returns the exit status after flushing standard output: a full disk or a
+ * closed pipe must not look like success. */
 static int
 close_output(int status)
 {
@@ -246,9 +248,10 @@ close_output(int status)
 	return ERROR_SYSTEM;
 }
 
-/* A file of the user's must not get a missing descriptor's number, and then all
- * that is said there; nor must one of a shell command's, which inherits them.
- * Opened for the wrong way, they still fail. */
+/* Opens those of the three standard streams that are missing.  Otherwise a file
+ * of the user's, or of a shell command, which inherits the streams, could get
+ * the number of one of them, and everything printed there.  They are opened
+ * read-only, so that printing to them still fails. */
 static void
 open_missing(void)
 {
@@ -264,7 +267,7 @@ int
 main(int argc, char **argv)
 {
 	open_missing();
-	/* Not LC_NUMERIC: under sv_SE it would read 11.2 as 11. */
+	/* Not LC_NUMERIC: under sv_SE 11.2 would be read as 11. */
 	setlocale(LC_CTYPE, "");
 	tr_set_language(NULL);
 	gsl_set_error_handler_off();
@@ -286,7 +289,8 @@ main(int argc, char **argv)
 		s->isa = isa_from_name(getenv("TIPSPEED_ISA"));
 		s->safe = in.safe;
 		store_free(s->store);
-		/* Nor may a script of others touch the user's materials. */
+		/* With --safe, a script must not touch the user's materials
+		 * either. */
 		bool none = in.safe && in.store == NULL;
 		s->store = store_new(none ? ":memory:" : in.store);
 		terminal_set_colour(in.color);
@@ -306,7 +310,7 @@ main(int argc, char **argv)
 		session_free(s);
 	}
 	free(in.action);
-	/* What could not be read because of a signal ended by that. */
+	/* What failed because of a signal was ended by it. */
 	if (status != 0 && signals_pending() != 0)
 		status = signals_exit_status();
 	return close_output(status);

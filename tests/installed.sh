@@ -43,6 +43,10 @@ for name in tierp.csv ../tierp ./bro nowhere; do
 	[ $? -eq 5 ] && grep -q "$name: cannot read" err
 	result $? "$name is a file, and is not there"
 done
+"$program" data/sites/tierp.csv 2>err
+[ $? -eq 5 ] && tr -d '\n ' <err | grep -q "/share/tipspeed/sites/tierp.csv$"
+result $? "an example's data/sites/tierp.csv is named where it is installed"
+remark err
 "$program" --safe -c 'load bro' 2>&1 | grep -q '^-c:1:1: load is off'
 result $? "--safe has names off as files"
 

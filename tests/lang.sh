@@ -85,6 +85,22 @@ for c in "$srcdir"/tests/lang/*/; do
 	diff "$c/expected" out >bad
 	told "in Swedish: $name"
 done
+if command -v expect >/dev/null; then
+	HOME=$dir TERM=vt100 expect -c 'log_user 1
+		set timeout 30
+		spawn tipspeed --lang=sv data/sites/tierp.csv
+		expect -re {\[J/n, eller ett kommando\].*> $}
+		send "j\r"
+		expect -re {\[J/n, eller ett\s+kommando\].*> $}
+		send "nej\r"
+		expect -re {> $}
+		send "quit\r"
+		expect eof' >out 2>&1
+	grep -q 'god inpassning' out && ! grep -q 'inget kommando' out
+	found=$?
+	result $found "a question in Swedish takes j and nej"
+	[ $found = 0 ] || remark out
+fi
 tipspeed --lang=xx -c version >out 2>&1
 [ $? = 2 ] && grep -q "expected --lang" out
 result $? 'a language without a catalogue is refused'

@@ -1,9 +1,9 @@
-/* Build-time only: prints what is made from the tables.
+/* Run by the build: prints what is made from the tables.
  *   commands, environment, status: parts of tipspeed(1)
- *   models: of tipspeed-model(7)
- *   keys: those of tipspeed-tui(1)
- *   bash: completion for the shell
- *   texts: what of them is translated
+ *   models, trust: parts of tipspeed-model(7)
+ *   keys: part of tipspeed-tui(1)
+ *   bash: completion for bash
+ *   texts: the texts to translate
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <ctype.h>
 #include <stdio.h>
@@ -141,7 +141,7 @@ print_commands(FILE *out)
 		}
 		group = its;
 		FREED char *usage = command_usage_text(c);
-		/* Quoted, so that no letter is a macro. */
+		/* Quoted, so that mdoc takes no word for a macro. */
 		FREED char *quoted = text_in_quotes(usage);
 		fprintf(out, ".It %s\n", quoted);
 		if (c->alias != NULL)
@@ -293,7 +293,8 @@ print_bash_completion(FILE *out)
 	    out);
 }
 
-/* The text is no format, even if it has a per cent sign. */
+/* Prints a text for xgettext, as one that is not a format even if it has a per
+ * cent sign. */
 static void
 print_text_for_xgettext(const char *text, FILE *out)
 {
@@ -353,8 +354,8 @@ main(int argc, char **argv)
 		PARTS[i].print(stdout);
 		return fflush(stdout) != 0 || ferror(stdout);
 	}
-	fputs("usage: make-manual commands|environment|status|models|bash|keys|"
-	      "texts\n",
+	fputs("usage: make-manual commands|environment|status|trust|models|"
+	      "bash|keys|texts\n",
 	    stderr);
 	return 2;
 }

@@ -7,6 +7,7 @@
 #include <locale.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "config.h"
 
@@ -122,3 +123,40 @@ tr_switch_on(bool on)
 }
 
 #endif
+
+static bool
+is_word_or_its_first_letter(const char *said, const char *word)
+{
+	bool letter = said[0] != '\0' && said[1] == '\0';
+	return letter ? strncasecmp(said, word, 1) == 0
+		      : strcasecmp(said, word) == 0;
+}
+
+bool
+tr_is_yes(const char *said)
+{
+	return is_word_or_its_first_letter(said, "yes") ||
+	       is_word_or_its_first_letter(said, tr("yes"));
+}
+
+bool
+tr_is_no(const char *said)
+{
+	return is_word_or_its_first_letter(said, "no") ||
+	       is_word_or_its_first_letter(said, tr("no"));
+}
+
+/* Other scripts than Latin keep the English letter. */
+char
+tr_yes_letter(void)
+{
+	char first = tr("yes")[0];
+	return first >= 'a' && first <= 'z' ? first : 'y';
+}
+
+char
+tr_no_letter(void)
+{
+	char first = tr("no")[0];
+	return first >= 'a' && first <= 'z' ? first : 'n';
+}

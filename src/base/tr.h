@@ -24,4 +24,13 @@ const char *tr_n(const char *one, const char *several, unsigned long n)
  * English.  Returns the previous setting. */
 bool tr_switch_on(bool on);
 
+/* True for yes, or no, or its first letter, in English or in the language of
+ * texts. */
+bool tr_is_yes(const char *said);
+bool tr_is_no(const char *said);
+
+/* Returns the letter that stands for yes, or no, in questions. */
+char tr_yes_letter(void);
+char tr_no_letter(void);
+
 #endif

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/ask.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
@@ -16,9 +17,9 @@
 #include "cli/signals.h"
 #include "cli/terminal.h"
 
-/* Signals that end the wait are let in only while there is nothing to read: one
- * that came just before would be recorded, and the read would still wait.  ^Z
- * works all the time. */
+/* Signals that end the wait are let in only while it waits for input.
+ * Otherwise, one that arrived just before the read would be recorded, and the
+ * read would still wait.  ^Z works all the time. */
 int
 ask_wait_for_line(char **line)
 {
@@ -49,11 +50,13 @@ ask_confirm(struct session *s, const char *question, bool yes)
 {
 	(void)s;
 	text_print_escaped(question, stderr);
-	fputs(yes ? " [Y/n] " : " [y/N] ", stderr);
+	char y = tr_yes_letter(), n = tr_no_letter();
+	fprintf(
+	    stderr, " [%c/%c] ", yes ? toupper(y) : y, yes ? n : toupper(n));
 	int c = ask_wait_for_line(NULL);
 	if (c == EOF)
 		fputc('\n', stderr);
-	return c == 'y' || c == 'Y' || (yes && c == '\n');
+	return tr_is_yes((char[]){(char)c, '\0'}) || (yes && c == '\n');
 }
 
 int
@@ -64,7 +67,7 @@ question_columns(void)
 	return columns < 100 ? columns - 1 : 99;
 }
 
-/* Prints what stands above the questions about a table. */
+/* Prints the table and what else stands above the questions about it. */
 static void
 print_table_above_questions(const struct user_question *q, int columns)
 {
@@ -88,8 +91,8 @@ print_table_above_questions(const struct user_question *q, int columns)
 	    0, columns, stderr);
 }
 
-/* On standard error, because the notes of the session wait for the end of the
- * command. */
+/* Prints on standard error, because the session's notes are held back until the
+ * command ends. */
 char *
 ask_with_reader(struct session *s, const struct user_question *q,
     char *(*read)(const char *text))

@@ -17,7 +17,8 @@
 #include "cli/signals.h"
 #include "cli/terminal.h"
 
-/* The line at fault, cut to fit a screen, and a caret under the column. */
+/* Prints the line at fault, cut to fit the screen, and a caret below the
+ * column. */
 static void
 print_caret(const char *line, int column, FILE *out)
 {
@@ -54,7 +55,7 @@ print_error_and_line(
 	error_print_hint(e, stderr);
 }
 
-/* Not at a prompt, where that can be seen. */
+/* Reports an interruption.  Not used at a prompt, where the user sees it. */
 static void
 print_interrupted(const char *name, int number)
 {
@@ -81,7 +82,8 @@ batch_run_line(
 	return driver_run_line(&d, line, ERROR_TYPED, number);
 }
 
-/* The output of a line, printed before its error and only if it fails. */
+/* The output of a line, which is printed only if the line fails, before its
+ * error. */
 struct quiet {
 	FILE *to;
 	char *said;
@@ -173,16 +175,16 @@ batch_begin_interactive(struct session *s)
 	s->typed_depth = s->scripts;
 }
 
-/* On standard error, because standard output is no terminal here: otherwise
+/* Prompts on standard error.  Standard output is not a terminal here, or else
  * readline would prompt. */
 static void
-print_prompt(struct session *s, bool is_condition_continued)
+print_prompt(struct session *s, bool continues)
 {
 	const char *key = s->n_entry > 0 ? session_current_entry(s)->key : "";
 	fprintf(stderr, "%s> ",
-	    is_condition_continued ? ""
-	    : key[0] != '\0'       ? key
-				   : "tipspeed");
+	    continues        ? ""
+	    : key[0] != '\0' ? key
+			     : "tipspeed");
 }
 
 int

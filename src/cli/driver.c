@@ -1,5 +1,5 @@
-/* Commands return at once, which keeps every driver responsive; the loop is
- * here.
+/* Commands return at once, so that every driver stays responsive.  This is the
+ * loop that finishes what they have started.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/driver.h"
 
@@ -10,8 +10,8 @@
 #include "cmd/session/invocation.h"
 #include "cli/signals.h"
 
-/* Ends the commands that a line has started, after an error or an interruption;
- * the latter keeps the results so far. */
+/* Ends the commands that a line has started, after an error or an interruption.
+ * An interruption keeps the results so far. */
 static void
 end_started_commands(
     const struct driver *d, int status, const char *line, const char *name)
@@ -22,7 +22,8 @@ end_started_commands(
 		d->fail(d->of, &error, line, name);
 }
 
-/* Stops the line after a signal, with the results so far. */
+/* Stops a line after a signal, and keeps the results so far.  Returns the exit
+ * status. */
 static int
 stop_line_on_signal(
     const struct driver *d, const char *line, const char *name, int number)
@@ -36,7 +37,8 @@ stop_line_on_signal(
 	return signals_exit_status();
 }
 
-/* Reports that a command did nothing: it failed, or a signal came first. */
+/* Reports that a command did nothing, because it failed or a signal came first.
+ * Returns the exit status. */
 static int
 report_failed_command(const struct driver *d, const struct error *e,
     const char *line, const char *name, int number)
@@ -48,7 +50,8 @@ report_failed_command(const struct driver *d, const struct error *e,
 	return signals_pending() != 0 ? signals_exit_status() : (int)e->kind;
 }
 
-/* Runs to its end what the commands so far have started. */
+/* Runs to their ends what the line's commands have started: the job, scripts,
+ * the full screen.  Returns the exit status. */
 static int
 run_started_jobs(const struct driver *d, size_t depth, const char *line,
     const char *name, int number)

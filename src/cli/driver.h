@@ -12,15 +12,16 @@ struct driver {
 	struct session *session;
 	struct pager *pager; /* holds back results at a prompt, or NULL */
 	void *of;            /* for `fail` */
-	/* Reports an error in that line of `name`; "": there was no line. */
+	/* Reports an error in a line of `name`; line is "" if there was
+	 * none. */
 	void (*fail)(void *of, const struct error *e, const char *line,
 	    const char *name);
 	/* Reports that a signal ended a line; NULL if the user can see that. */
 	void (*interrupted)(const char *name, int number);
 	/* Called with a line of a script before it is run, or NULL. */
 	void (*begins)(void *of, const char *line);
-	/* Runs the job to its end.  Returns false on a signal, with the job
-	 * unchanged. */
+	/* Runs the job to its end.  On a signal, leaves the job as it is and
+	 * returns false. */
 	bool (*work)(struct session *s);
 	/* True: a calibration at the end of a typed line is left running. */
 	bool watches;
@@ -32,7 +33,8 @@ struct driver {
 int driver_run_line(
     const struct driver *d, const char *line, const char *name, int number);
 
-/* Runs all open scripts to their ends, except the outermost `depth`. */
+/* Runs all open scripts, except the outermost `depth`, to their ends.  Returns
+ * what driver_run_line does. */
 int driver_run_scripts(const struct driver *d, size_t depth);
 
 #endif

@@ -1,8 +1,8 @@
-/* The file of typed lines, which is only appended to, one line per write; and
- * searches in it.  In readline 8.2, the built-in searches free an edited line's
- * undo list twice when they replace it with a line from the history.  These
- * insert the line as if it had been typed, so undo and all other keys work as
- * usual.
+/* Keeps typed lines in a file, which is only appended to, one line per write,
+ * and searches them.  In readline 8.2, the built-in searches free an edited
+ * line's undo list twice when they replace it with a line from the history.
+ * Ours insert the line as if it had been typed, so undo and all other keys work
+ * as usual.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/history.h"
 
@@ -21,7 +21,7 @@
 /* Lines held in memory; the file may have more. */
 enum { MOST = 5000 };
 
-static char *path; /* NULL: it is not kept */
+static char *path; /* of the file; NULL: none is kept */
 static bool opened;
 
 static void
@@ -89,8 +89,9 @@ typed_history_is_open(void)
 
 /* ---- Searches ---- */
 
-/* The search that is under way: what is looked for, where the last line found
- * stands, and the line as it was before, which is behind them all. */
+/* The current search.  wanted: the text searched for.  place: the index of the
+ * last line found.  typed: the line as it was before the search, which follows
+ * the newest line found. */
 static struct {
 	char *wanted, *typed;
 	int place;
@@ -117,7 +118,8 @@ history_search_begin(void)
 	search.place = where_history();
 }
 
-/* Whether a line of the history is wanted; what stands there already is not. */
+/* Returns true if a line of the history matches the search and differs from the
+ * line being edited. */
 static bool
 is_searched_line(const char *line, bool anywhere)
 {
@@ -152,8 +154,8 @@ is_history_search_continued(void)
 	return i < ARRAY_LEN(SEARCHES);
 }
 
-/* Goes to the next line that begins with what is wanted, or has it anywhere;
- * on: to a newer one. */
+/* Goes to the next line that begins with the text searched for or, if
+ * `anywhere`, contains it.  on: to a newer line, not an older one. */
 static int
 go_to_next_history_match(bool on, bool anywhere)
 {
@@ -208,7 +210,8 @@ search_anywhere_forward(int count, int key)
 void
 history_search_name_functions(void)
 {
-	/* The first function of a name is the one that settings get. */
+	/* If several functions have the same name, the user's settings get the
+	 * first. */
 	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++)
 		rl_add_defun(SEARCHES[i].name, SEARCHES[i].ours, -1);
 }

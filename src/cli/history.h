@@ -5,8 +5,9 @@
 
 #include <stdbool.h>
 
-/* Reads the history into readline.  If it cannot be read or written, prints one
- * remark to stderr and keeps lines only in memory, as without with_file. */
+/* Reads the history into readline.  If with_file is false, lines are kept only
+ * in memory.  The same happens, after a remark on stderr, if the file cannot be
+ * used. */
 void typed_history_open(bool with_file);
 
 /* Adds a line, in memory and at the end of the file.  Called before the line is
@@ -19,10 +20,10 @@ void typed_history_close(void);
 /* True if the history is open. */
 bool typed_history_is_open(void);
 
-/* PgUp and PgDn search the history for the text before the cursor:
- * history_search_name_functions gives our searches readline's names for them,
- * before the user's settings are read; history_search_bind_keys, after the
- * settings, the keys that readline uses for its own searches. */
+/* For searches of the history for the text before the cursor, by PgUp and PgDn.
+ * history_search_name_functions gives our searches the names of readline's,
+ * before the user's settings are read; history_search_bind_keys gives them,
+ * after that, the keys of readline's. */
 void history_search_name_functions(void);
 void history_search_bind_keys(void);
 

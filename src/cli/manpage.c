@@ -9,9 +9,10 @@
 
 #include "base/xalloc.h"
 
-/* Returns the path of the page in the folder man beside the program or, for
- * pages that are not generated, beside its folder; NULL if there is none or a
- * shell could not be given its path.  The caller frees it. */
+/* Returns the path of a page in the folder man beside the program or, for a
+ * page that is not generated, beside the program's folder.  Returns NULL if
+ * there is none, or if the path has a quote and so could not be given to a
+ * shell.  The caller frees it. */
 static char *
 manpage_beside_program(const char *page)
 {
@@ -34,7 +35,7 @@ manpage_beside_program(const char *page)
 	return NULL;
 }
 
-/* Returns true if the shell runs the command and it succeeds. */
+/* Runs a command in a shell and frees it.  Returns true if it succeeds. */
 static bool
 run_shell_command(char *command)
 {

@@ -18,7 +18,7 @@
 /* The status of a shell that cannot find a program. */
 enum { NO_PROGRAM = 127 };
 
-/* Returns the rows of a text with long lines folded. */
+/* Returns how many rows a text takes, with long lines folded. */
 static int
 count_folded_rows(const char *text, int columns)
 {
@@ -34,8 +34,9 @@ count_folded_rows(const char *text, int columns)
 	return rows;
 }
 
-/* Returns the pager. less shows its keys in the last row, and may neither write
- * files nor run commands; it ends with the text.  The caller frees it. */
+/* Returns the command of the pager: the user's or else less, which shows its
+ * keys in the last row, ends with the text, and may neither write files nor run
+ * commands.  The caller frees it. */
 static char *
 pager_command(void)
 {
@@ -54,7 +55,8 @@ on_signal_do_nothing(int signal)
 	(void)signal;
 }
 
-/* Leaves to the pager ^C, and to end before all is written. */
+/* Ignores ^C, which is for the pager, and SIGPIPE, because the pager may end
+ * before everything is written. */
 static void
 leave_signals_to_pager(struct sigaction was[2])
 {

@@ -14,9 +14,10 @@
 #include "cli/signals.h"
 #include "cli/terminal.h"
 
-/* A terminal shows one line, four times a second.  Elsewhere, a row is printed
- * for generation 1 and every tenth, if the search takes long or details are
- * wanted. */
+/* What progress has been shown.  On a terminal it is one line, written at most
+ * four times a second; shown is when, s.  Elsewhere, a row is printed for
+ * generation 1 and every tenth one, if the search takes long or details are
+ * wanted.  row: the generation last printed or plotted. */
 struct progress {
 	bool terminal;
 	double shown;
@@ -52,15 +53,16 @@ print_progress_line(const struct session *s, struct progress *p,
 		snprintf(text, sizeof text, "  %s", at);
 	} else if (st->state == CALIBRATE_POLISHING)
 		snprintf(text, sizeof text,
-		    "  calibrating: polishing, misfit %.4g", st->best);
+		    tr("  calibrating: polishing, misfit %.4g"), st->best);
 	else
 		snprintf(text, sizeof text,
-		    "  calibrating: generation %zu of at most %zu, misfit "
-		    "%.4g",
+		    tr("  calibrating: generation %zu of at most %zu, misfit "
+		       "%.4g"),
 		    st->generation, s->job.options.generations, st->best);
 	int rows, columns, width = text_width_in_columns(text);
 	terminal_size(&rows, &columns);
-	int room = columns > 12 ? columns - 3 : 9; /* with the echo of ^C */
+	/* Leaves room for the echo of ^C. */
+	int room = columns > 12 ? columns - 3 : 9;
 	if (width > room)
 		text[width = room] = '\0';
 	fprintf(stderr, "\r%s%*s", text,
@@ -81,11 +83,12 @@ print_progress_row(
 	    (!s->job.detail && session_clock() - s->job.started < soon))
 		return;
 	p->row = st->generation;
-	fprintf(stderr, "  generation %4zu  best %.6g  median %.6g\n",
+	fprintf(stderr, tr("  generation %4zu  best %.6g  median %.6g\n"),
 	    st->generation, st->best, st->median);
 }
 
-/* The terminal must be able to move its cursor up and to clear below it. */
+/* Returns true if a plot of the search is to be shown.  For that, the terminal
+ * must be able to move its cursor up and to clear what is below it. */
 static bool
 can_watch_search(const struct session *s, const struct progress *p)
 {
@@ -122,8 +125,8 @@ draw_watched_search(
 	p->shown = 0;
 }
 
-/* Slows the first generations down, or the search would be over before it is
- * seen. */
+/* Slows down the first seconds of a search, which would otherwise be over
+ * before it is seen. */
 static void
 slow_down_watched_search(const struct session *s)
 {
@@ -159,7 +162,7 @@ print_progress(struct session *s, struct progress *p)
 		print_progress_row(s, p, &st);
 }
 
-/* Answers SIGUSR1. */
+/* Prints a line about the progress, for SIGUSR1. */
 static void
 print_report_on_signal(const struct session *s)
 {

@@ -31,11 +31,12 @@
 #include "cli/terminal.h"
 #include "cli/history.h"
 
-/* What readline calls has no argument to pass this by.  before: the lines of a
- * command that goes on, joined; given: bytes that key_that_ends_input made up;
- * offer: what Return alone does now; stage: of what was said of the next step
- * last, for which site and fit; declined: it was, and an empty line offers it
- * anew; command: typed in the place of yes or no, or NULL. */
+/* The state of the prompt, static because readline's callbacks cannot be passed
+ * it.  before: the lines of a command that continues, joined.  given: how many
+ * bytes key_that_ends_input has made up.  offer: what Return alone does now.
+ * stage, site, history: of the step offered last, and the site and fit that it
+ * was for.  declined: it was declined, and an empty line makes the offer again.
+ * command: typed instead of yes or no, or NULL. */
 static struct {
 	struct session *session;
 	char *before, *command;
@@ -47,7 +48,7 @@ static struct {
 	const struct history *history;
 } prompt;
 
-/* Returns how many bytes all candidates begin with. */
+/* Returns the length, in bytes, of what all candidates begin with. */
 static size_t
 shared_prefix_bytes(char **text, size_t n)
 {
@@ -59,8 +60,9 @@ shared_prefix_bytes(char **text, size_t n)
 	return shared;
 }
 
-/* Returns the text that replaces the word of readline, which begins at start;
- * NULL if the two do not match.  from: start of the word of the candidate. */
+/* Returns the text of a candidate that replaces readline's word, or NULL if the
+ * two do not match.  from: where the candidate's word begins in the line;
+ * start: where readline's word does. */
 static char *
 fit_candidate_to_word(
     const struct candidate *c, const char *line, long from, long start)
@@ -75,7 +77,8 @@ fit_candidate_to_word(
 	return xasprintf("%s%s", c->text + head, tail);
 }
 
-/* For readline: returns NULL, or what all candidates share followed by each. */
+/* For readline: returns the completions of a word, or NULL.  The first element
+ * is what all of them share. */
 static char **
 on_readline_complete(const char *text, int start, int end)
 {
@@ -117,8 +120,8 @@ prompt_text(const struct session *s)
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	const char *state = entry == NULL       ? ""
-			    : entry->has_fit    ? " (fit)"
-			    : entry->has_params ? " (params)"
+			    : entry->has_fit    ? tr(" (fit)")
+			    : entry->has_params ? tr(" (params)")
 						: "";
 	const char *name =
 	    entry != NULL && entry->key[0] != '\0' ? entry->key : "tipspeed";
@@ -127,10 +130,11 @@ prompt_text(const struct session *s)
 	    colour ? "\001\033[0m\002" : "", state);
 }
 
-/* readline asks the terminal itself only where it is given no size.  8.2
- * divides by what is left of one row of two columns, and where the cursor
- * cannot go up, so that a line is scrolled, it looks for it for ever if the
- * prompt with its invisible characters is as wide as the screen. */
+/* Sets the size of readline's screen, because readline asks the terminal only
+ * if it is given none, but not to sizes that readline 8.2 cannot handle.  It
+ * divides by what is left of a row of two columns.  If the cursor cannot go up,
+ * it scrolls the line, and loops for ever if the prompt with its invisible
+ * characters is as wide as the screen. */
 static void
 set_readline_size(const char *text)
 {
@@ -144,8 +148,8 @@ set_readline_size(const char *text)
 	    rows > ROWS ? rows : ROWS, columns > least ? columns : least);
 }
 
-/* Breaks the prompt anew for the number of columns; a search has a prompt of
- * its own. */
+/* Wraps the prompt again after a change of columns, except during a search,
+ * which has a prompt of its own. */
 static void
 wrap_prompt_to_columns(void)
 {
@@ -166,7 +170,7 @@ handle_terminal_signals(void)
 		news |= signals_take_terminal_events() | SIGNALS_WAKE;
 	}
 	if (news & SIGNALS_WAKE) {
-		/* The shell may have set the terminal to its liking. */
+		/* The shell may have changed the terminal's settings. */
 		rl_deprep_terminal();
 		rl_prep_terminal(1);
 		rl_on_new_line();
@@ -197,10 +201,10 @@ is_bracketed_paste_on(void)
 	return strcmp(rl_variable_value("enable-bracketed-paste"), "on") == 0;
 }
 
-/* What readline gets for a key at a signal and at the end of input: what has it
- * drop the line and return.  Where it reads on for more than a command it gets
- * the end of a paste first, which must not end otherwise (readline 8.2 then
- * reads past its text). */
+/* Returns the key that readline gets on a signal and at the end of input, so
+ * that it drops the line and returns.  If it is reading something other than a
+ * command, such as pasted text, it first gets the bytes that end a paste,
+ * because readline 8.2 reads past its text if a paste ends in any other way. */
 static int
 key_that_ends_input(void)
 {
@@ -215,15 +219,15 @@ key_that_ends_input(void)
 	return READERR;
 }
 
-/* For readline.  ^C empties the terminal's queue, also between pselect and
- * here, and readline's own reading would then wait for a key with signals held.
- */
+/* For readline: reads a key.  readline's own function would wait for a key with
+ * signals blocked if ^C emptied the terminal's queue between pselect and the
+ * read. */
 static int
 on_readline_getc(FILE *in)
 {
 	unsigned char c;
-	/* With it readline 8.2 frees what it undoes twice; a file of settings
-	 * can be read again at any key. */
+	/* With this on, readline 8.2 frees its undo list twice.  Set before
+	 * each key, because any key may read the file of settings again. */
 	rl_variable_bind("revert-all-at-newline", "off");
 	while (wait_for_key()) {
 		ssize_t got = -1;
@@ -240,9 +244,10 @@ on_readline_getc(FILE *in)
 	return key_that_ends_input();
 }
 
-/* Returns a typed line, which the caller frees; NULL at the end of input or on
- * a signal.  Not by the callbacks of readline: those of 8.2 jump to where they
- * no longer are when an unknown sequence of keys ends a search. */
+/* Returns a typed line, which the caller frees, or NULL at the end of input or
+ * on a signal.  Does not use readline's callback interface: in 8.2 that jumps
+ * into a function that has returned when an unknown key sequence ends a
+ * search. */
 static char *
 read_prompt_line(const char *text)
 {
@@ -255,8 +260,8 @@ read_prompt_line(const char *text)
 	    is_bracketed_paste_on() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
 	restore_cancel();
-	/* readline ends the line itself, but only where it turns bracketed
-	 * paste off. */
+	/* readline ends the line itself only if it turns bracketed paste
+	 * off. */
 	if (line == NULL && !is_bracketed_paste_on())
 		fputc('\n', rl_outstream);
 	signals_give_terminal(was);
@@ -264,7 +269,8 @@ read_prompt_line(const char *text)
 	return line;
 }
 
-/* Runs a line, and then what was typed at a question that it asked. */
+/* Runs a line, and then a command that was typed instead of an answer to a
+ * question that the line asked. */
 static void
 run_line_with_pager(struct session *s, const char *line, int number)
 {
@@ -305,9 +311,9 @@ run_pasted_lines(struct session *s, char *typed, int *number)
 	}
 }
 
-/* Prints the next step when it is further on than the last, or for another
- * site; that answers can be had, only once for several sites.  The line typed
- * next may accept it. */
+/* Prints the next step, if it is further on than the one printed last, or for
+ * another site or fit.  With several sites, it says only once that answers are
+ * possible.  The line typed next may accept the step. */
 static void
 offer_next_step(const struct session *s)
 {
@@ -331,7 +337,8 @@ offer_next_step(const struct session *s)
 	prompt.offer = next;
 }
 
-/* Runs the offered commands one by one, each with its outcome. */
+/* Runs the offered commands: as one line or, if the offer is brief, one by one
+ * with only the result of each. */
 static void
 run_offered_commands(struct session *s, int *number)
 {
@@ -359,16 +366,16 @@ enum reply { REPLY_YES, REPLY_NO, REPLY_EMPTY, REPLY_COMMAND };
 static enum reply
 classify_reply_to_offer(const char *typed)
 {
-	size_t which;
 	FREED char *word = xstrdup(typed);
 	const char *said = text_trim(word);
-	return said[0] == '\0'                                 ? REPLY_EMPTY
-	       : text_find_word_in_list("y yes", said, &which) ? REPLY_YES
-	       : text_find_word_in_list("n no", said, &which)  ? REPLY_NO
-							       : REPLY_COMMAND;
+	return said[0] == '\0'   ? REPLY_EMPTY
+	       : tr_is_yes(said) ? REPLY_YES
+	       : tr_is_no(said)  ? REPLY_NO
+				 : REPLY_COMMAND;
 }
 
-/* Returns true if a line answers the offer instead of being a command. */
+/* Handles a line that answers the offer.  Returns false if the line is a
+ * command instead. */
 static bool
 handle_answer_to_offer(struct session *s, const char *typed, int *number)
 {
@@ -386,7 +393,8 @@ handle_answer_to_offer(struct session *s, const char *typed, int *number)
 	return true;
 }
 
-/* Does what ^L does for a word that shells have, if the terminal can. */
+/* Clears the screen for the word "clear", which shells have, if the terminal
+ * can.  Returns true if it did. */
 static bool
 clear_screen_if_asked(const char *typed)
 {
@@ -399,8 +407,8 @@ clear_screen_if_asked(const char *typed)
 	return true;
 }
 
-/* --safe: no settings file, and no key for a function that reads one, lists
- * users or runs a shell. */
+/* For --safe: takes away the keys of functions that read a settings file, list
+ * users or run a shell. */
 static void
 restrict_readline(void)
 {
@@ -425,7 +433,8 @@ set_up_readline(struct session *s)
 	rl_readline_name = "tipspeed";
 	rl_catch_signals = 0;
 	rl_catch_sigwinch = 0;
-	/* A pager must not see sizes of before a change. */
+	/* Otherwise, after a change of size, a pager would be told the old
+	 * one. */
 	rl_change_environment = 0;
 	rl_getc_function = on_readline_getc;
 	rl_attempted_completion_function = on_readline_complete;
@@ -438,7 +447,7 @@ set_up_readline(struct session *s)
 	history_search_bind_keys();
 	if (s->safe)
 		restrict_readline();
-	/* Text is UTF-8 in every locale: its bytes are no meta keys. */
+	/* Text is UTF-8 in every locale, so its bytes are not meta keys. */
 	rl_variable_bind("input-meta", "on");
 	rl_variable_bind("output-meta", "on");
 	rl_variable_bind("convert-meta", "off");
@@ -459,11 +468,11 @@ repl_greet(struct session *s)
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_run_script_file(s, path);
 	signals_forget_interrupt();
-	/* Questions about files on the command line are asked too. */
+	/* So that questions about files on the command line are asked. */
 	s->hooks.ask = ask_question;
 }
 
-/* For readline: answers have no completion. */
+/* For readline while an answer is typed, which has no completions. */
 static char **
 complete_nothing(const char *text, int start, int end)
 {
@@ -490,7 +499,8 @@ repl_ask_question(struct session *s, const struct user_question *q)
 	return ask_with_reader(s, q, read_line_of_answer);
 }
 
-/* A command in the place of an answer means no. */
+/* Asks for yes or no.  A command typed instead means no, and is run
+ * afterwards. */
 static bool
 repl_confirm(struct session *s, const char *question, bool yes)
 {

@@ -14,8 +14,8 @@ void repl_greet(struct session *s);
  * been called. */
 int repl_run(struct session *s);
 
-/* As repl_run, but called instead of the full screen with --linear.  Does
- * nothing at the prompt. */
+/* Called instead of the full screen with --linear: runs the prompt or, if it is
+ * running already, only prints a note. */
 int repl_run_instead_of_screen(struct session *s);
 
 #endif

@@ -1,5 +1,5 @@
-/* The bytes for the signal handlers are prepared in advance, because a handler
- * must not allocate memory or call ncurses.
+/* Prepares the bytes that signal handlers write, because a handler must not
+ * allocate memory or call ncurses.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/restore.h"
 
@@ -19,17 +19,19 @@
 static const int FAULTS[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT,
     SIGSYS, SIGTRAP, SIGXCPU, SIGALRM, SIGUSR2};
 
-/* Mouse off; the rest of the terminal follows. */
+/* The bytes that turn the mouse off. */
 #define MOUSE_OFF "\033[?1002l\033[?1000l\033[?1006l"
 
 static struct {
 	volatile sig_atomic_t open;
 	struct termios usual;
-	bool known, full; /* full: what was said is wiped away with it */
+	/* full: the full screen is open; messages on it go with it. */
+	bool known, full;
 	char bytes[256];
 	size_t n;
 	struct sigaction was[ARRAY_LEN(FAULTS)];
-	char stack[16384]; /* for a fault by an overflow of the usual one */
+	/* For a fault caused by an overflow of the usual stack. */
+	char stack[16384];
 } terminal;
 
 static void
@@ -59,7 +61,7 @@ on_fatal_signal(int signal)
 	raise(signal);
 }
 
-/* The program exits with the terminal in use only from xalloc. */
+/* Called at exit.  The only exit with the terminal in use is that of xalloc. */
 static void
 on_exit_early(void)
 {
@@ -79,7 +81,7 @@ restore_record_settings(void)
 	terminal.known = tcgetattr(STDIN_FILENO, &terminal.usual) == 0;
 }
 
-/* Adds bytes without the pauses old terminals were given. */
+/* Adds bytes, without the pauses "$<..>" that old terminals needed. */
 static void
 add_restore_bytes(const char *text)
 {

@@ -12,12 +12,13 @@ void restore_record_settings(void);
  * SIGTERM, SIGHUP and SIGINT end it in the usual way. */
 void restore_prepare_for_screen(void);
 
-/* As restore_prepare_for_screen, but restores the terminal's current settings,
- * while readline controls it.  bytes: written as well. */
+/* As restore_prepare_for_screen, but for the time in which readline controls
+ * the terminal: restores the settings that the terminal has now, and writes
+ * `bytes`. */
 void restore_prepare_for_prompt(const char *bytes);
 
-/* Ends the need to restore the terminal: called when the screen has been closed
- * or the prompt has its line. */
+/* Called when the terminal need not be restored any more, because the screen
+ * has been closed or the prompt has its line. */
 void restore_cancel(void);
 
 /* Restores a terminal after a program was killed; for --reset-tty. */

@@ -13,7 +13,8 @@
 static volatile sig_atomic_t interrupted, ending, asked, watching, stopped,
     woken, resized;
 
-/* Signals that are let in while the program waits. */
+/* The signal mask while the program waits, which lets all handled signals
+ * in. */
 static sigset_t let_in;
 
 static void
@@ -45,8 +46,8 @@ signals_catch(void)
 	sigaction(SIGINT, &action, NULL);
 	sigaction(SIGTERM, &action, NULL);
 	sigaction(SIGHUP, &action, NULL);
-	/* A write then fails as on a full disk.  Shells that are started get
-	 * the default action, which they would not with SIG_IGN. */
+	/* A write beyond the limit then fails as on a full disk.  A handler,
+	 * because shells started by the program would inherit SIG_IGN. */
 	action.sa_handler = on_file_size_limit;
 	sigaction(SIGXFSZ, &action, NULL);
 	action.sa_handler = on_report_wanted;

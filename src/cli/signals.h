@@ -22,19 +22,20 @@ bool signals_wait_for_input(double seconds);
 /* As signals_wait_for_input, with the signal mask to use while waiting. */
 bool signals_wait_with_mask(const sigset_t *mask, double seconds);
 
-/* Lets held signals arrive now. */
+/* Lets blocked signals arrive now. */
 void signals_deliver_blocked(void);
 
-/* Between take and give, ^Z, a continue and a resize are recorded;
- * signals_take_terminal_events returns those since the last call, as these
+/* Between signals_take_terminal and signals_give_terminal, ^Z, the return from
+ * it and a change of the terminal's size are recorded.
+ * signals_take_terminal_events returns those since its last call, as these
  * bits. */
 enum { SIGNALS_STOP = 1, SIGNALS_WAKE = 2, SIGNALS_SIZE = 4 };
 void signals_take_terminal(struct sigaction was[static 3]);
 void signals_give_terminal(const struct sigaction was[static 3]);
 int signals_take_terminal_events(void);
 
-/* note: between take and give, record ^Z; otherwise it stops the program with
- * its child processes. */
+/* If `note`, ^Z is recorded, as by signals_take_terminal; otherwise it stops
+ * the program and its child processes. */
 void signals_record_suspend(bool note);
 
 /* Stops the program, as ^Z does by default, and returns when it continues.  The

@@ -85,8 +85,8 @@ terminal_is_utf8(void)
 	return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
-/* The console has fonts of at most 512 characters, without braille or
- * quadrants; a serial terminal has ASCII alone. */
+/* The Linux console has fonts of at most 512 characters, without braille or
+ * quadrants; a serial terminal has only ASCII. */
 bool
 terminal_has_line_drawing(void)
 {

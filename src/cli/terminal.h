@@ -26,13 +26,14 @@ bool terminal_is_interactive(void);
 /* True if the terminal has no escape sequences or no known type. */
 bool terminal_is_dumb(void);
 
-/* True if the locale uses UTF-8; if the terminal has braille and box-drawing
- * characters. */
+/* terminal_is_utf8 returns true if the locale uses UTF-8;
+ * terminal_has_line_drawing returns true if the terminal has braille and
+ * box-drawing characters. */
 bool terminal_is_utf8(void);
 bool terminal_has_line_drawing(void);
 
-/* Returns the size of the terminal on standard error, or 24 by 80 if
- * unknown. */
+/* Returns the size of the terminal on standard error or else on standard
+ * output; 24 by 80 if it is unknown. */
 void terminal_size(int *rows, int *columns);
 
 /* Describes the terminal on standard output; all zeros if it is not a

@@ -1,4 +1,5 @@
-/* Ticks of axes: sieves, round numbers, decades; labels by rank.
+/* Makes the ticks of axes: sieves, round numbers, decades; places labels by
+ * rank.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/axis.h"
 
@@ -9,7 +10,7 @@
 
 #include "base/xalloc.h"
 
-/* Same size, but for how it was computed. */
+/* Returns true if two sizes are the same but for rounding. */
 static bool
 axis_is_same_size(double a, double b)
 {
@@ -110,7 +111,8 @@ axis_new_percent(const char *title)
 	return a;
 }
 
-/* 1, 2 or 5 times a power of ten that goes into range some four times. */
+/* Returns 1, 2 or 5 times a power of ten, which goes into range some four
+ * times. */
 static double
 axis_round_step(double range)
 {
@@ -139,7 +141,7 @@ axis_new_linear(const char *title, double low, double high)
 	return a;
 }
 
-/* Step i of ..., 1, 2, 5, 10, 20, ...; step 0 is 1. */
+/* Returns step i of ..., 1, 2, 5, 10, 20, ...; step 0 is 1. */
 static double
 round_step_at(int i)
 {
@@ -195,8 +197,8 @@ axis_free(struct axis *axis)
 	free(axis->tick);
 }
 
-/* Returns a distance on the axis.  On a symmetric one slopes meet where the
- * straight part ends. */
+/* Returns a value on the scale of the axis.  On a symmetric one, slopes are
+ * equal where the straight part ends. */
 static double
 axis_scaled_value(const struct axis *axis, double value)
 {
@@ -227,7 +229,8 @@ axis_relative_position(const struct axis *axis, double value)
 	return fmin(fmax(t, 0), 1);
 }
 
-/* What lies on a border goes to the later part, a rounding of grace off. */
+/* A position on a border, or just before it by rounding, is in the later
+ * part. */
 int
 axis_index_of_share(double share, int n)
 {
@@ -235,7 +238,8 @@ axis_index_of_share(double share, int n)
 	return i < n ? i : n - 1;
 }
 
-/* A row's cells from `from` on, with a space around them, are free. */
+/* Returns true if the cells of a row from `from` on are free, with one on
+ * either side. */
 static bool
 is_row_free_for_label(const char *taken, int columns, int from, int length)
 {

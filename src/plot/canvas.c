@@ -94,7 +94,7 @@ print_cell_style(const struct canvas *canvas, const struct canvas_cell *cell,
 {
 	int colour =
 	    palette_colour((enum series)cell->series, depth, canvas->theme);
-	bool bright = depth < 16 && colour >= 8; /* there: bold */
+	bool bright = depth < 16 && colour >= 8; /* then it is bold */
 	if (bright)
 		colour -= 8;
 	fputs("\033[0", out);

@@ -1,4 +1,4 @@
-/* A grid of cells on which plots are drawn and which screens show.
+/* A grid of cells, on which plots and screens are drawn.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_PLOT_CANVAS_H
 #define TIPSPEED_PLOT_CANVAS_H
@@ -9,8 +9,8 @@
 
 #include "plot/palette.h"
 
-/* The characters for lines: ASCII, quarters of a cell (2 x 2), or braille dots
- * (2 x 4). */
+/* The characters with which lines are drawn: ASCII, quarters of a cell (2 x 2),
+ * or braille dots (2 x 4). */
 enum charset { CHARSET_ASCII, CHARSET_QUADRANTS, CHARSET_BRAILLE };
 
 enum { CELL_BOLD = 1, CELL_DIM = 2, CELL_REVERSE = 4 };
@@ -35,8 +35,8 @@ void canvas_free(struct canvas *canvas);
 /* Returns a cell; asserts that it is on the canvas. */
 struct canvas_cell *canvas_cell_at(struct canvas *canvas, int column, int row);
 
-/* Writes text, as shown by text_escape_next_character (base/text.h), from a
- * cell to the right, clipped at the edges of the canvas. */
+/* Writes text to the right from a cell, clipped at the edges of the canvas.
+ * Control characters are escaped (text_escape_next_character). */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 
@@ -63,7 +63,7 @@ void canvas_print(const struct canvas *canvas, int depth, FILE *out);
 
 /* canvas_cell_dots_across and canvas_cell_dots_down return the number of dots
  * in a cell in each direction.  canvas_dots_code returns the character with the
- * given dots set, bit 2 * row + column; ASCII has none. */
+ * given dots set, bit 2 * row + column; not for ASCII, which has none. */
 int canvas_cell_dots_across(enum charset charset);
 int canvas_cell_dots_down(enum charset charset);
 uint32_t canvas_dots_code(enum charset charset, unsigned dots);

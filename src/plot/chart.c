@@ -164,8 +164,8 @@ chart_note(struct chart *chart, const char *format, ...)
 	va_end(ap);
 }
 
-/* Returns b at the value `at` of a, on lines between the n points that are
- * straight in the logarithm of a, if log_a, and in that of b, if log_b; NAN
+/* Returns the b that belongs to the value `at` of a, by interpolation between
+ * the n points: in the logarithm of a if log_a, and of b if log_b.  Returns NAN
  * outside the points. */
 static double
 interpolate(const double *a, bool log_a, const double *b, bool log_b, size_t n,
@@ -247,7 +247,7 @@ chart_dash_lengths(enum chart_line line, int *on, int *off)
 	*off = DASHES[line][1];
 }
 
-/* The full ones, then the same hollow. */
+/* The full marks, then the same marks hollow. */
 static const struct point_mark MARKS[] = {{'+', 0x25CF, 16, 0, false},
     {'x', 0x25A0, 4, 0.125, false}, {'v', 0x25BC, 3, 0.25, false},
     {'^', 0x25B2, 3, 0.75, false}, {'*', 0x25C6, 4, 0, false},

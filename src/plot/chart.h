@@ -9,9 +9,9 @@
 #include "plot/axis.h"
 #include "plot/canvas.h"
 
-/* Dashes are counted along the path, so steep and flat parts look alike.  On a
- * canvas they are counted from the column of each point, so a curve that
- * changes in one part keeps its dashes elsewhere. */
+/* Kinds of lines.  Dashes are counted along the path, so that steep and flat
+ * parts look alike.  On a canvas they are counted by the column of each point,
+ * so that a curve that changes in one part keeps its dashes elsewhere. */
 enum chart_line {
 	CHART_MARKS, /* no line */
 	CHART_SOLID,
@@ -20,9 +20,9 @@ enum chart_line {
 	CHART_DOTTED
 };
 
-/* The shape for an ASCII character.  sign: code point in a cell.  On paper the
- * shape has `sides` sides, with the first corner at `turn` of a full turn.
- * hollow: for a held-out run. */
+/* The shape that stands for an ASCII character.  sign: its code point in a
+ * cell.  On paper it has `sides` sides, with the first corner at `turn` of a
+ * full turn.  hollow: it is for a held-out run. */
 struct point_mark {
 	char code;
 	unsigned sign;
@@ -34,34 +34,39 @@ struct point_mark {
 /* Returns the mark of a character, or NULL. */
 const struct point_mark *mark_of_character(char code);
 
-/* Returns character i of the full or hollow marks, which repeat cyclically. */
+/* Returns the character of full or hollow mark i; these repeat cyclically. */
 char mark_character(unsigned i, bool hollow);
 
-/* The site of a point, for a chart with several sites.  label: text that may be
- * shown beside the point, or NULL. */
+/* The site or material of a point, for a chart with several.  about: the source
+ * of its data.  label: a text to show beside the point if there is room, or
+ * NULL. */
 struct chart_whose {
 	char *site, *about, *label;
 };
 
 /* A field with a label, drawn around a point instead of a mark: one unit wide
- * and high, filled in proportion to |value|, at most 1.  value NAN: no
- * field. */
+ * and high, filled in proportion to |value|, which is at most 1.  value NAN:
+ * only the label. */
 struct chart_field {
 	double value;
 	char *label;
 };
 
-/* One curve or set of points.  fine: its marks have the shapes of
- * point_mark.  x, y [n]: in the axes' units; a NAN in y interrupts the line.
- * low, high [n]: a shaded band behind all lines, or both NULL.  ascii: the
- * character for the line if only ASCII is available.  mark: an ASCII character
- * at each point; 0: none.  bars: low..high is drawn as a bar at each point,
- * not as a band, and y is not drawn; with CHART_LONG the bar is heavy.
- * beside: draw it that many cells to the right of x.  lifted: marks are set
- * off from bars by a gap on either side and, unless fine, in reverse.  named:
- * show the labels of points if there is room.  whose, field [n]: may be NULL.
- * finer: a closer set of points of the same curve for chart_x_at to read,
- * owned, or NULL.  compared: its difference from the last series is drawn
+/* One curve or set of points.
+ *
+ * x, y [n]: in the axes' units; a NAN in y interrupts the line.  low, high [n]:
+ * a shaded band behind all lines, or both NULL.  ascii: the character of the
+ * line where only ASCII is available.  mark: an ASCII character at each point,
+ * or 0.  fine: marks have the shapes of struct point_mark.
+ *
+ * bars: low to high is drawn as a bar at each point instead of a band, and y is
+ * not drawn as a line; with CHART_LONG, bars are heavy.  beside: cells by which
+ * points are drawn to the right of x.  lifted: marks are set off from bars by a
+ * gap on either side and, unless fine, in reverse.  named: labels of points are
+ * shown if there is room.  whose, field [n]: may be NULL.
+ *
+ * finer: more closely spaced points of the same curve, for chart_x_at; owned,
+ * or NULL.  compared: the difference of this series from the last one is drawn
  * below.  psd: it is a size distribution, off which P20, P50 and P80 are
  * read. */
 struct chart_series {
@@ -87,11 +92,11 @@ struct chart_rule {
 };
 
 /* strip: the number of rows of a chart drawn without labels below another chart
- * with the same x axis; 0: a chart of its own.  Later series are drawn on top.
- * mixed: its series are of different quantities, not to be compared.  about:
- * the source of the data, shown at the foot after "data: ".  note: lines
- * below the legend.  below: another chart to draw below this one, with the same
- * x axis but other units, or NULL; chart_free also frees it. */
+ * with the same x axis; 0 for a chart of its own.  Later series are drawn on
+ * top.  mixed: the series are of different quantities, which are not to be
+ * compared.  about: the source of the data, shown at the foot after "data: ".
+ * note: lines below the legend.  below: another chart to draw below this one,
+ * with the same x axis but other units, or NULL; chart_free also frees it. */
 struct chart {
 	char *title, *about;
 	struct axis x, y;
@@ -110,9 +115,10 @@ struct chart *chart_new(
     const char *title, const char *about, struct axis x, struct axis y);
 void chart_free(struct chart *chart);
 
-/* Adds a series of n points at zero, to be filled in.  look: line, ascii and
- * mark, which distinguish the series without colour; its data are ignored.
- * Returns the series, borrowed; it stays valid when others are added. */
+/* Adds a series of n points at zero, to be filled in.  look: its members that
+ * distinguish the series, such as line, ascii and mark; the data in it are
+ * ignored.  Returns the series, borrowed; it stays valid when others are
+ * added. */
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 
@@ -125,7 +131,7 @@ struct chart_series *chart_add_points(struct chart *chart,
 void chart_move_last_series_to_back(struct chart *chart);
 
 /* Adds an array `whose` to a series, to be filled with strings that the series
- * will own. */
+ * then owns. */
 void chart_add_point_names(struct chart_series *series);
 
 /* series_add_band adds arrays low and high to a series, for its band;
@@ -133,8 +139,8 @@ void chart_add_point_names(struct chart_series *series);
 void series_add_band(struct chart_series *series);
 void series_drop_band(struct chart_series *series);
 
-/* Adds n finer points to a series and returns them, with x and y to be filled
- * in. */
+/* Adds n finer points to a series and returns them; their x and y are to be
+ * filled in. */
 struct chart_series *chart_add_finer_points(
     struct chart_series *series, size_t n);
 
@@ -145,9 +151,9 @@ void chart_add_rule(struct chart *chart, enum series series, double x,
 void chart_note(struct chart *chart, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* chart_y_at returns y at x, on lines between the points that are straight on
- * the axes, or NAN outside the points; chart_value_at the same of other values
- * [n] at the points.  chart_x_at returns x at y, for monotonic y. */
+/* chart_y_at returns y at x by interpolation, along lines that are straight on
+ * the axes; NAN outside the points.  chart_value_at does so for other values
+ * [n] at the points.  chart_x_at returns x at y, where y is monotonic. */
 double chart_value_at(const struct chart *chart,
     const struct chart_series *series, const double *value, double x);
 double chart_y_at(
@@ -155,15 +161,15 @@ double chart_y_at(
 double chart_x_at(
     const struct chart *chart, const struct chart_series *series, double y);
 
-/* Returns the range of all series, and of y with their bands: from, to; from
- * INFINITY to -INFINITY if there is no point. */
+/* The ranges of x and y, from and to, that all series cover with their bands;
+ * INFINITY to -INFINITY if there are no points. */
 struct chart_extent {
 	double x[2], y[2];
 };
 struct chart_extent chart_find_extent(const struct chart *chart);
 
-/* Sets *on and *off to the number of dots in each dash of a line and in each
- * gap; off is 0 for a solid line. */
+/* Sets *on to the number of dots in each dash of a line, and *off to that in
+ * each gap; *off is 0 for a solid line. */
 void chart_dash_lengths(enum chart_line line, int *on, int *off);
 
 #endif

@@ -1,4 +1,4 @@
-/* Lays out a chart on a canvas and draws it: the surroundings of the data, then
+/* Lays out a chart on a canvas and draws it: what surrounds the data, then
  * bands, guides, rules, lines and marks.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/draw.h"
@@ -12,8 +12,8 @@
 #include "base/xalloc.h"
 
 /* The data's cells begin at left, top and are width x height; dots: those set
- * so far in each.  Each other part has its first row, -1 where it was dropped.
- * words: of CHART_ALL. */
+ * so far in each cell.  Each other part has its first row, or -1 if it was
+ * dropped.  words: bits of CHART_ALL. */
 struct layout {
 	const struct chart *chart;
 	struct canvas *canvas;
@@ -24,8 +24,9 @@ struct layout {
 	unsigned char *dots;
 };
 
-/* Column of an x and row of a y among the data, in parts of a cell: 1 for
- * cells, 2 or 4 for dots.  The part that holds the value; always within. */
+/* column_of_x returns the column of an x among the data, row_of_y the row of a
+ * y: the part that contains the value, always within the data.  parts: into how
+ * many parts each cell is divided, 1, or 2 or 4 for dots. */
 static int
 column_of_x(const struct layout *l, double x, int parts)
 {
@@ -40,7 +41,6 @@ row_of_y(const struct layout *l, double y, int parts)
 	    1 - axis_relative_position(&l->chart->y, y), l->height * parts);
 }
 
-/* The character of a rule across the plot. */
 static uint32_t
 code_of_rule(enum series series, enum charset charset)
 {
@@ -55,7 +55,6 @@ code_of_rule(enum series series, enum charset charset)
 	}
 }
 
-/* The character of a series' marks. */
 static uint32_t
 code_of_mark(const struct chart_series *s, enum charset charset)
 {
@@ -80,7 +79,7 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 						       : LINES[series->line];
 	if (series->mark != '\0')
 		canvas_encode_utf8(code_of_mark(series, charset), mark);
-	/* A heavy line would be no dashes; a bar is heavy. */
+	/* A heavy line would not look dashed; a bar is meant to be heavy. */
 	if (series->line == CHART_LONG && mark[0] == '\0' && !series->bars)
 		return xasprintf(
 		    charset == CHARSET_ASCII ? "%s %s" : "\u2500 \u2500", ascii,
@@ -88,7 +87,8 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 	return xasprintf("%s%s%s", line, mark[0] != '\0' ? mark : line, line);
 }
 
-/* As canvas_text; of what the edge would cut as much as can be read. */
+/* As canvas_text, but text that the edge would cut is shortened to what can be
+ * read. */
 static void
 put_text_cut_to_width(struct layout *l, int column, int row, const char *text,
     enum series series, unsigned attribute)
@@ -98,9 +98,9 @@ put_text_cut_to_width(struct layout *l, int column, int row, const char *text,
 	canvas_text(l->canvas, column, row, fitted, series, attribute);
 }
 
-/* Series that have a name, then rules, side by side in rows as wide as the
- * canvas; from row on, or only counted where row is negative.  Returns the rows
- * they take. */
+/* Lays out series that have a name, and then rules, side by side in rows as
+ * wide as the canvas.  Draws them from `row` on or, if it is negative, only
+ * counts rows.  Returns the number of rows. */
 static int
 lay_out_legend(struct layout *l, int row)
 {
@@ -138,8 +138,8 @@ lay_out_legend(struct layout *l, int row)
 	return rows;
 }
 
-/* Text in lines as wide as the canvas, from row on; only counted where row is
- * negative.  Returns how many. */
+/* Draws text in lines as wide as the canvas, from `row` on or, if that is
+ * negative, only counts them.  Returns their number. */
 static int
 draw_wrapped_text(
     struct layout *l, int row, const char *text, unsigned attribute)
@@ -166,7 +166,7 @@ lay_out_legend_and_notes(struct layout *l, int row)
 	return rows;
 }
 
-/* Where the data are from. */
+/* Lays out the line about the source of the data.  Returns its rows. */
 static int
 lay_out_data_source(struct layout *l, int row)
 {
@@ -174,9 +174,10 @@ lay_out_data_source(struct layout *l, int row)
 	return draw_wrapped_text(l, row, text, CELL_DIM);
 }
 
-/* Columns for the labels of the y axis and its line, the same for all charts
- * below one another; none on a canvas that is hardly wider.  The labels of a
- * strip change with its limits: they have room for "+0.5" at any. */
+/* Returns the number of columns for the labels of the y axis and its line, the
+ * same for all charts below one another; 0 on a canvas that is hardly wider.
+ * The labels of a strip change with its limits, so there is always room for
+ * "+0.5". */
 static int
 y_label_columns(const struct chart *chart, int columns, unsigned words)
 {
@@ -193,7 +194,7 @@ y_label_columns(const struct chart *chart, int columns, unsigned words)
 	return narrow || words & CHART_BARE ? 0 : wide + 1;
 }
 
-/* Rows that the labels of the x axis want, 1 or 2. */
+/* Returns the number of rows that the labels of the x axis want, 1 or 2. */
 static int
 rows_of_x_labels(const struct layout *l)
 {
@@ -203,7 +204,7 @@ rows_of_x_labels(const struct layout *l)
 	return axis_place_labels(a, l->width, 2, column, row);
 }
 
-/* A strip has its title alone, bare data not even that. */
+/* A strip has only its title; bare data have not even that. */
 static struct layout
 lay_out_strip(struct layout l)
 {
@@ -262,7 +263,7 @@ lay_out_chart(const struct chart *chart, struct canvas *canvas, int left,
 	return l;
 }
 
-/* Puts a part of an axis, faint so that the data are seen first. */
+/* Draws a part of an axis, faint so that the data are seen first. */
 static void
 put_axis_code(struct layout *l, int column, int row, uint32_t code)
 {
@@ -271,8 +272,8 @@ put_axis_code(struct layout *l, int column, int row, uint32_t code)
 		    (struct canvas_cell){code, SERIES_TEXT, CELL_DIM};
 }
 
-/* The line left of the plot, with ticks; labels that would touch are left
- * out, those of low rank first. */
+/* Draws the line to the left of the plot, with ticks.  Of several labels in a
+ * row, only the one with the lowest rank is drawn. */
 static void
 draw_chart_y_axis(struct layout *l)
 {
@@ -330,8 +331,8 @@ draw_chart_x_axis_labels(struct layout *l)
 			    0);
 }
 
-/* "Tierp, Granite, 11.2 mm: product", where that is too wide "Tierp: product",
- * or "product". */
+/* Returns the title, "Tierp, Granite, 11.2 mm: product", or what fits of it:
+ * "Tierp: product", or "product". */
 static char *
 title_that_fits(const char *title, int columns)
 {
@@ -364,7 +365,7 @@ draw_chart_titles(struct layout *l)
 		    SERIES_TEXT, 0);
 }
 
-/* Titles, axes, labels, legend and foot: all but the data. */
+/* Draws titles, axes, labels, legend and foot: everything but the data. */
 static void
 draw_chart_titles_and_axes(struct layout *l)
 {
@@ -379,8 +380,9 @@ draw_chart_titles_and_axes(struct layout *l)
 		lay_out_data_source(l, l->foot);
 }
 
-/* Whether a line is drawn at this step of its path.  In ASCII a cell is a step,
- * and the character tells most. */
+/* Returns true if a line is drawn at this step of its path, rather than in a
+ * gap.  In ASCII a step is a whole cell, so dashes are short; it is mainly the
+ * character that tells lines apart. */
 static bool
 is_line_drawn_at_step(enum chart_line line, enum charset charset, int step)
 {
@@ -406,7 +408,7 @@ put_code_in_plot(struct layout *l, int column, int row, uint32_t code,
 	l->dots[row * l->width + column] = 0;
 }
 
-/* Sets a dot; those of a cell share its colour, the last one's. */
+/* Sets a dot.  All dots of a cell share the colour of the last one. */
 static void
 put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 {
@@ -425,7 +427,7 @@ put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 	*dots = (unsigned char)all;
 }
 
-/* From point i to the next, dot by dot, if both have a value. */
+/* Draws the line from point i to the next, dot by dot, if both have a value. */
 static void
 draw_line_segment(struct layout *l, const struct chart_series *s, size_t i)
 {
@@ -447,7 +449,7 @@ draw_line_segment(struct layout *l, const struct chart_series *s, size_t i)
 	}
 }
 
-/* The shade of a field by its value, and the label where it has room. */
+/* Draws a field with a shade for its value, and its label if there is room. */
 static void
 draw_shaded_cell(struct layout *l, const struct chart_series *s, size_t i)
 {
@@ -477,7 +479,7 @@ draw_shaded_cell(struct layout *l, const struct chart_series *s, size_t i)
 		    shade == 3 ? CELL_BOLD : 0);
 }
 
-/* Of a point, with what it is drawn beside by. */
+/* Returns the column of point i, moved by the series' `beside`. */
 static int
 column_of_point(const struct layout *l, const struct chart_series *s, size_t i)
 {
@@ -486,8 +488,8 @@ column_of_point(const struct layout *l, const struct chart_series *s, size_t i)
 	return column < 0 ? 0 : column > last ? last : column;
 }
 
-/* In one cell, as wide as it is and half as high, which says more of a strip's
- * few rows. */
+/* Draws a mark of half a cell's height, because in the few rows of a strip that
+ * shows more. */
 static void
 draw_small_mark(struct layout *l, const struct chart_series *s, size_t i)
 {
@@ -522,8 +524,8 @@ has_cell_dots(const struct layout *l, int column, int row)
 	       l->dots[row * l->width + column] != 0;
 }
 
-/* Where there is no colour the gap in a bar shows where its mark is; one that
- * ends there anyway is not made shorter. */
+/* Leaves a gap in a bar around its mark, which shows where the mark is even
+ * without colours.  A bar that ends there anyway is not made shorter. */
 static void
 clear_around_marks(struct layout *l, const struct chart_series *s)
 {
@@ -555,7 +557,7 @@ draw_series_marks(struct layout *l, const struct chart_series *s)
 		draw_chart_mark(l, s, i);
 }
 
-/* A bar from low to high at each point, a dot wide or a cell. */
+/* Draws a bar from low to high at each point, one dot or one cell wide. */
 static void
 draw_chart_bars(struct layout *l, const struct chart_series *s)
 {
@@ -574,7 +576,7 @@ draw_chart_bars(struct layout *l, const struct chart_series *s)
 	}
 }
 
-/* The value in the middle of part i of n along an axis. */
+/* Returns the value in the middle of part i of n along an axis. */
 static double
 value_of_axis_part(const struct axis *a, int i, int n)
 {
@@ -583,7 +585,7 @@ value_of_axis_part(const struct axis *a, int i, int n)
 		      : a->low + t * (a->high - a->low);
 }
 
-/* Rows that the band fills from their foot to their top. */
+/* Shades the rows of a column that the band fills completely. */
 static void
 fill_band_column(
     struct layout *l, int column, double low, double high, enum series tint)
@@ -597,8 +599,8 @@ fill_band_column(
 		put_code_in_plot(l, column, row, shade, tint, CELL_DIM);
 }
 
-/* Sets every second dot of the edges of a band, and every fourth between
- * them. */
+/* Stipples a band at dot x: in every second column, sets the dots at its edges
+ * and every fourth dot between them. */
 static void
 stipple_band(struct layout *l, int x, double low, double high, enum series tint)
 {
@@ -611,7 +613,7 @@ stipple_band(struct layout *l, int x, double low, double high, enum series tint)
 			put_dot(l, &look, x, y);
 }
 
-/* Makes what is drawn of bands faint; lines then have their cells to
+/* Makes the bands drawn so far faint.  Lines then have their cells to
  * themselves. */
 static void
 make_bands_faint(struct layout *l)
@@ -642,8 +644,9 @@ draw_chart_band(struct layout *l, const struct chart_series *s)
 	}
 }
 
-/* Faint, and only where the plot is tall enough for them not to crowd it; in a
- * strip seldom: its marks stand on them and move. */
+/* Draws the guides faintly, and only if the plot is tall enough not to be
+ * crowded by them.  In a strip they are sparse: its marks stand on them and
+ * move. */
 static void
 draw_chart_guides(struct layout *l)
 {
@@ -666,8 +669,9 @@ draw_chart_guides(struct layout *l)
 	}
 }
 
-/* A break size moves with the slider: in every second row of a tall plot it is
- * seen as well, and half as much is written. */
+/* Draws the rules.  A break size moves with the slider: in every second row of
+ * a tall plot it is seen as well, and half as much has to be written to the
+ * terminal. */
 static void
 draw_chart_rules(struct layout *l)
 {
@@ -683,8 +687,8 @@ draw_chart_rules(struct layout *l)
 	}
 }
 
-/* Whether cells of a row, and one on either side, are among the data and hold
- * nothing yet. */
+/* Returns true if cells of a row, and one on either side, are among the data
+ * and still blank. */
 static bool
 is_blank_around(struct layout *l, int column, int row, int wide)
 {
@@ -696,7 +700,8 @@ is_blank_around(struct layout *l, int column, int row, int wide)
 	return true;
 }
 
-/* Right of the mark, or left of it, or not at all. */
+/* Draws the label of a point to the right of its mark, or to the left, or not
+ * at all. */
 static void
 draw_chart_point_name(struct layout *l, const struct chart_series *s, size_t i)
 {
@@ -732,7 +737,7 @@ draw_chart_data(struct layout *l)
 				draw_line_segment(l, c->series[i], k);
 	for (size_t i = 0; i < c->n; i++)
 		clear_around_marks(l, c->series[i]);
-	/* In a cell that two marks share a hollow one is seen. */
+	/* If two marks share a cell, a hollow one is seen. */
 	for (int hollow = 0; hollow <= 1; hollow++)
 		for (size_t i = 0; i < c->n; i++)
 			if (is_mark_hollow(c->series[i]) == hollow)
@@ -743,7 +748,8 @@ draw_chart_data(struct layout *l)
 			draw_chart_point_name(l, c->series[i], j);
 }
 
-/* The mark nearest to a cell of the data, among those next to it. */
+/* Finds the mark nearest to a cell of the data, among those in it and next to
+ * it. */
 static void
 find_nearest_mark(
     const struct layout *l, int column, int row, struct chart_found *f)
@@ -766,7 +772,7 @@ find_nearest_mark(
 	}
 }
 
-/* The line in that row of a column, of several the one on top. */
+/* Finds the line in a row at f->x, of several the one on top. */
 static void
 find_line_at_cell(const struct layout *l, int row, struct chart_found *f)
 {
@@ -815,8 +821,9 @@ count_stacked_charts(const struct chart *chart)
 	return n;
 }
 
-/* Rows of a chart and of the n below it share what is left, but a strip has its
- * own, or none where its chart would become too low. */
+/* Returns the rows of a chart, where n charts, this one and those below it,
+ * share what is left.  A strip has the rows it asks for, or none if its chart
+ * would become too low. */
 static int
 rows_of_chart(const struct chart *chart, int left, int n)
 {
@@ -856,7 +863,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
 	int n = count_stacked_charts(chart), top = 0,
 	    left = y_label_columns(chart, columns, words);
 	all->theme = chart->theme;
-	/* Where there is no room for all the first ones are drawn. */
+	/* If there is no room for all charts, the first ones are drawn. */
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
 		struct canvas own = {.columns = columns,

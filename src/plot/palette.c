@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plot/palette.h"
 
-/* Of few colours the dark ones; no yellow. */
+/* Returns the dark version of one of 16 colours, or -1, the text colour,
+ * instead of yellow. */
 static int
 dark_version_of_colour(int colour)
 {
@@ -11,9 +12,9 @@ dark_version_of_colour(int colour)
 	return dark == YELLOW ? -1 : dark;
 }
 
-/* With few colours what has that of the text is told by its shape.  No bright
- * black, which some terminals do not show, and no dark blue, which the Linux
- * console hardly shows on black. */
+/* With few colours, series in the text colour are told apart by their shape.
+ * No bright black, which some terminals do not show, and no dark blue, which
+ * the Linux console hardly shows on black. */
 int
 palette_colour(enum series series, int depth, enum theme theme)
 {

@@ -4,12 +4,12 @@
 #define TIPSPEED_PLOT_PALETTE_H
 
 /* The meaning of something drawn, which decides its colour.  Runs at several
- * speeds use the colours MEASURED in turn, each the same in every plot;
- * quantities, rocks, streams and others that are not runs use the colours KIND
+ * speeds have the colours MEASURED in turn, the same in every plot.
+ * Quantities, rocks, streams and others that are not runs have the colours KIND
  * in turn. */
 enum series {
 	SERIES_TEXT, /* axes, labels, legend */
-	SERIES_FEED, /* and other things drawn behind */
+	SERIES_FEED, /* and other things in the background */
 	SERIES_MEASURED_1,
 	SERIES_MEASURED_2,
 	SERIES_MEASURED_3,

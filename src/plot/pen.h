@@ -19,7 +19,8 @@
 enum pen_fill { PEN_OPEN, PEN_PAPER, PEN_FULL, PEN_TINT };
 enum pen_anchor { PEN_START, PEN_MIDDLE, PEN_END };
 
-/* How to draw a path.  width 0: no outline.  A fill closes the path. */
+/* How to draw a path.  width 0: no outline.  Any fill but PEN_OPEN closes the
+ * path. */
 struct pen_stroke {
 	enum series series;
 	enum chart_line line; /* dashes */
@@ -27,9 +28,10 @@ struct pen_stroke {
 	enum pen_fill fill;
 };
 
-/* size: in points.  upward: reads from bottom to top; inverse: in the colour of
- * the paper; faint: like dim on a terminal; mono: monospaced.  length: that to
- * which the text is stretched; 0: not stretched. */
+/* How to draw a text.  size: in points.  upward: reads from bottom to top.
+ * inverse: in the colour of the paper.  faint: like dim text on a terminal.
+ * mono: monospaced.  length: the length to which the text is stretched, or
+ * 0. */
 struct pen_style {
 	double size, length;
 	enum pen_anchor anchor;
@@ -54,13 +56,13 @@ struct pen_paper {
 };
 
 /* path draws a path through x, y [n].  bars draws n straight bars, bar i from
- * point 2 i to point 2 i + 1.  text draws a text whose baseline starts, is
- * centred or ends at x, y.  close writes the rest, frees the pen and returns
- * false if writing failed.
+ * point 2 i to point 2 i + 1.  text draws a text that starts, is centred or
+ * ends at x, with its baseline at y.  close writes the rest and frees the pen;
+ * it returns false if writing failed.
  *
  * For PDF only, which may have several pages: width returns the width of a
- * text, points; next begins another page; place makes the pen draw at x, y, to
- * that scale, from now on. */
+ * text, points; next begins another page; place makes the pen draw from x, y
+ * on, to that scale. */
 struct pen {
 	void (*path)(struct pen *, const double *x, const double *y, size_t n,
 	    const struct pen_stroke *);
@@ -76,8 +78,8 @@ struct pen {
 };
 
 /* Makes a pen for a page.  title and about go into the file's metadata; the
- * paper is copied.  other: pen_new_cairo makes a PDF, not a PNG; pen_new_svg
- * makes an SVG for an HTML page, not for a file of its own. */
+ * paper is copied.  other: pen_new_cairo makes a PDF instead of a PNG;
+ * pen_new_svg makes an SVG for an HTML page instead of a file of its own. */
 typedef struct pen *pen_maker(double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     bool other, FILE *out);

@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "plot/pen.h"
 
-/* Dots of a PNG to a point: 300 to the inch, as journals ask for. */
+/* Pixels of a PNG per point: 300 to the inch, as journals ask for. */
 #define PNG_SCALE (300.0 / 72)
 
 struct picture {
@@ -192,7 +192,7 @@ pen_new_cairo(double width, double height, const struct pen_paper *paper,
 		    write_cairo_bytes, out, width, height);
 		set_pdf_metadata(p->surface, CAIRO_PDF_METADATA_TITLE, title);
 		set_pdf_metadata(p->surface, CAIRO_PDF_METADATA_SUBJECT, about);
-		/* The hour would make the same chart another file. */
+		/* A time would make a different file of the same chart. */
 		set_pdf_metadata(
 		    p->surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
 	} else {

@@ -1,4 +1,4 @@
-/* A pen that writes SVG and keeps text as text.
+/* A pen that writes SVG, in which text stays text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -43,7 +43,8 @@ svg_draw_path(struct pen *pen, const double *x, const double *y, size_t n,
 	fputs("/>\n", out);
 }
 
-/* Lengths that are none are left out as far as SVG lets one. */
+/* Draws bars.  Level ones and dots are written in the shortest form that SVG
+ * has. */
 static void
 svg_draw_bars(struct pen *pen, const double *x, const double *y, size_t n,
     const struct pen_bar *bar)

@@ -8,10 +8,11 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "config.h"
 
-/* The page, in points: two columns of a journal wide. */
+/* The page, in points: as wide as two columns of a journal. */
 enum {
 	LEFT = 64,
 	TOP = 34,
@@ -70,7 +71,6 @@ picture_list_forms(void)
 	return HAVE_CAIRO ? "svg, png, pdf" : "svg (built without cairo)";
 }
 
-/* A pen for a form. */
 static struct pen *
 new_pen_for_form(enum picture_form form, double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
@@ -115,7 +115,8 @@ static void
 picture_draw_x_axis(struct chart_page *p)
 {
 	enum { COLUMN = 5, LABEL = 8, ROWS = 2 };
-	static const double DIGIT = 5.1; /* its width; a column rounds it */
+	/* The width of a digit; COLUMN is this, rounded. */
+	static const double DIGIT = 5.1;
 	const struct axis *a = &p->chart->x;
 	double foot = p->top + p->height;
 	FREED int *column = xcalloc(a->n, sizeof *column);
@@ -137,7 +138,7 @@ picture_draw_x_axis(struct chart_page *p)
 	    a->title, &(struct pen_style){.size = 10, .anchor = PEN_MIDDLE});
 }
 
-/* A label at y is not to touch one of those placed. */
+/* Returns true if a label at y would not touch one of those placed. */
 static bool
 is_label_place_free(const double *placed, size_t n, double y)
 {
@@ -176,7 +177,8 @@ picture_draw_y_axis(struct chart_page *p)
 		.size = 10, .anchor = PEN_MIDDLE, .upward = true});
 }
 
-/* A shape with so many corners around a point. */
+/* Draws a regular polygon around a point.  start: where its first corner is, in
+ * full turns. */
 static void
 draw_polygon(struct chart_page *p, int sides, double start, enum pen_fill fill,
     enum series series, double x, double y)
@@ -193,7 +195,7 @@ draw_polygon(struct chart_page *p, int sides, double start, enum pen_fill fill,
 	    &(struct pen_stroke){series, CHART_SOLID, 0.8, fill});
 }
 
-/* Marks as shapes where there is one, else as the character. */
+/* Draws a mark as a shape if there is one for it, else as its character. */
 static void
 picture_draw_mark(
     struct chart_page *p, const struct chart_series *s, double x, double y)
@@ -212,7 +214,7 @@ picture_draw_mark(
 	else if (sides > 0)
 		draw_polygon(p, sides, start,
 		    s->mark == '#' ? PEN_FULL : PEN_PAPER, s->series, x, y);
-	else /* a star is the upper half of its letter */
+	else /* the star is in the upper half of its line */
 		p->pen->text(p->pen, x, y + (s->mark == '*' ? 5 : 3), text,
 		    &(struct pen_style){.size = 9,
 			.anchor = PEN_MIDDLE,
@@ -237,7 +239,7 @@ picture_draw_band(struct chart_page *p, const struct chart_series *s)
 	    &(struct pen_stroke){s->series, CHART_SOLID, 0, PEN_TINT});
 }
 
-/* Returns x of point i, with what the series is drawn beside by. */
+/* Returns the x of point i on the page, moved by the series' `beside`. */
 static double
 page_x_of_point(
     const struct chart_page *p, const struct chart_series *s, size_t i)
@@ -253,7 +255,7 @@ stroke_of_bar(const struct chart_series *s)
 	    s->line == CHART_LONG ? 2.4 : 1.2, PEN_OPEN};
 }
 
-/* A line from low to high at each point. */
+/* Draws a line from low to high at each point. */
 static void
 draw_spans(struct chart_page *p, const struct chart_series *s)
 {
@@ -265,7 +267,7 @@ draw_spans(struct chart_page *p, const struct chart_series *s)
 	}
 }
 
-/* From one lift of the pen to the next. */
+/* Draws the line, lifting the pen where a value is missing. */
 static void
 picture_draw_line(struct chart_page *p, const struct chart_series *s)
 {
@@ -294,7 +296,8 @@ stroke_of_rule(const struct chart_rule *rule)
 	return (struct pen_stroke){rule->series, line, 0.8, PEN_OPEN};
 }
 
-/* A square whose area is the value, none for NAN, and the label. */
+/* Draws a square whose area shows the value, unless that is NAN, and the
+ * label. */
 static void
 draw_area_square(struct chart_page *p, const struct chart_series *s, size_t i)
 {
@@ -314,7 +317,7 @@ draw_area_square(struct chart_page *p, const struct chart_series *s, size_t i)
 	    &(struct pen_style){.size = 8, .anchor = PEN_MIDDLE});
 }
 
-/* Places on a page that are taken: by a mark or a name. */
+/* Places on a page that marks and names have taken. */
 struct taken {
 	size_t n;
 	struct box {
@@ -454,7 +457,8 @@ picture_draw_legend(struct chart_page *p)
 	}
 }
 
-/* Notes, where the data are from, and the program, a line each or more. */
+/* Returns the text at the foot: the notes, and then the source of the data and
+ * the program.  The caller frees it. */
 static char *
 chart_foot_text(const struct chart *chart, const char *program)
 {
@@ -462,7 +466,7 @@ chart_foot_text(const struct chart *chart, const char *program)
 	size_t n = 0;
 	FILE *memory = text_open_memory(&text, &n);
 	FREED char *about =
-	    xasprintf("data: %s; drawn by %s", chart->about, program);
+	    xasprintf(tr("data: %s; drawn by %s"), chart->about, program);
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		for (size_t i = 0; i < c->n_note; i++)
 			text_print_wrapped(c->note[i], 0, FOOT_COLUMNS, memory);
@@ -558,16 +562,17 @@ picture_new_pdf_pages(double width, double height, const char *title,
 			  : NULL;
 }
 
-/* Cells of a terminal: runs of text, and shapes for what is to join from cell
- * to cell.  In points: a cell is as wide as most monospaced letters of its
- * size. */
+/* Draws the cells of a terminal as runs of text, and as shapes for characters
+ * that join from cell to cell.  All sizes are in points: a cell is as wide as
+ * most monospaced letters of this size. */
 #define CELL_WIDTH 6.0
 #define CELL_HEIGHT 12.0
 #define LETTERS 10.0
 #define BASE_LINE 9.25
 #define MARGIN 8.0
 
-/* Bars of each kind; of what is drawn they get the colour and the opacity. */
+/* The bars of each kind; the cell gives them its colour and may make them
+ * faint. */
 enum kind { GROUND, SHADE, BLOCK, LINE, HEAVY, DOT, KINDS };
 static const struct pen_bar KIND[KINDS] = {
     [GROUND] = {SERIES_TEXT, CELL_HEIGHT, 1, false},
@@ -577,14 +582,14 @@ static const struct pen_bar KIND[KINDS] = {
     [HEAVY] = {SERIES_TEXT, 1.6, 1, true},
     [DOT] = {SERIES_TEXT, 2.3, 1, true}};
 
-/* In eighths of the cell. */
+/* From x0, y0 to x1, y1, in eighths of the cell. */
 struct bar {
 	unsigned char x0, y0, x1, y1;
 };
 
 enum { BARS = 8 };
 
-/* Characters that are drawn with a pen. */
+/* Characters that are drawn as bars instead of text. */
 static const struct shape {
 	uint32_t code;
 	enum kind kind;
@@ -602,7 +607,8 @@ static const struct shape {
     {0x254E, LINE, 2, {{4, 0, 4, 3}, {4, 5, 4, 7}}},
     {0x2591, SHADE, 1, {{0, 4, 8, 4}}}};
 
-/* The shape of a character; n is 0 for one that is text. */
+/* Writes the bars of a character and returns their number, which is 0 for a
+ * character that is text. */
 static size_t
 shape_of_block_character(
     uint32_t code, enum kind *kind, struct bar bar[static BARS])
@@ -625,7 +631,8 @@ shape_of_block_character(
 				    DOTS[i][0], DOTS[i][1]};
 		return n;
 	}
-	/* Quarters that are full: top left, top right, and below them. */
+	/* Bits of the quarters that are full: top left, top right, and below
+	 * them. */
 	unsigned set = 15;
 	while (set > 0 && canvas_dots_code(CHARSET_QUADRANTS, set) != code)
 		set--;
@@ -639,21 +646,22 @@ shape_of_block_character(
 	return n;
 }
 
-/* Bars that are drawn at once, as a screen has thousands: bar i from end 2 i to
- * 2 i + 1. */
+/* Bars that are drawn in one path, because a screen has thousands: bar i from
+ * point 2 i to point 2 i + 1. */
 struct bars {
 	size_t n;
 	double *x, *y;
 };
 
-/* The places of bars are multiples of 3/4. */
+/* The places of bars are multiples of 3/4, in points. */
 static bool
 is_same_place(double a, double b)
 {
 	return fabs(a - b) < 0.1;
 }
 
-/* A level one that begins where the last one ends makes that longer. */
+/* Adds a bar.  A level bar that begins where the last one ends lengthens that
+ * one instead. */
 static void
 add_or_join_bar(struct bars *s, int column, int row, const struct bar *bar)
 {
@@ -689,8 +697,8 @@ draw_and_free_bars(struct bars *bars, struct pen *pen, struct pen_bar look,
 	free(bars->y);
 }
 
-/* Draws the bars of all cells, those of a kind, colour and faintness at
- * once. */
+/* Draws the bars of all cells, those of the same kind, colour and faintness in
+ * one path. */
 static void
 draw_bars_of_cells(const struct canvas *canvas, int depth, struct pen *pen)
 {
@@ -726,8 +734,8 @@ is_text_cell(const struct canvas_cell *cell)
 	       shape_of_block_character(cell->code, &kind, bar) == 0;
 }
 
-/* The column after a run of text from `from` on: cells alike, with no more
- * than one space between two words. */
+/* Returns the column after a run of text that begins at `from`: cells of the
+ * same style, with no more than one space between words. */
 static int
 end_of_alike_cells(const struct canvas *canvas, int from, int row)
 {
@@ -772,7 +780,7 @@ draw_text_of_row(
 	}
 }
 
-/* The paper for cells, and its size, points. */
+/* Returns the paper for cells.  Sets size to its width and height, points. */
 static struct pen_paper
 paper_for_cells(const struct canvas *canvas, int depth, double size[2])
 {

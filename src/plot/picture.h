@@ -22,7 +22,7 @@ bool picture_form_of_file_name(const char *path, enum picture_form *form);
  * which it may have been built. */
 bool picture_can_draw_form(enum picture_form form);
 
-/* Returns the forms that this program can draw, in words. */
+/* Returns the names of the forms that this program can draw. */
 const char *picture_list_forms(void);
 
 /* Writes the chart with axes, legend and notes and, at its foot, the source of
@@ -31,20 +31,21 @@ const char *picture_list_forms(void);
 bool picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out);
 
-/* For callers that lay out the pages of a PDF, in points. picture_new_pdf_pages
- * returns a pen, or NULL if this program was built without cairo.
- * chart_picture_height returns the height of a chart PICTURE_WIDTH wide.
- * chart_picture_draw draws the chart from the pen's place. */
+/* For callers that lay out the pages of a PDF, in points.
+ * picture_new_pdf_pages returns a pen, or NULL if this program was built
+ * without cairo.  chart_picture_height returns the height of a chart that is
+ * PICTURE_WIDTH wide.  chart_picture_draw draws the chart from the pen's place
+ * on. */
 struct pen *picture_new_pdf_pages(double width, double height,
     const char *title, const char *about, FILE *out);
 double chart_picture_height(const struct chart *chart, const char *program);
 void chart_picture_draw(
     const struct chart *chart, const char *program, struct pen *pen);
 
-/* Writes cells as shown by a terminal with a dark background.  Lines, dots and
- * blocks are drawn as shapes, so they join in any font.  depth: number of
- * colours, 0, 8, 16 or 256.  title, about: the file's metadata.  Returns false
- * if it cannot be drawn or written. */
+/* Writes cells as a terminal shows them, on a dark background unless the theme
+ * is light.  Lines, dots and blocks are drawn as shapes, so that they join in
+ * any font.  depth: number of colours, 0, 8, 16 or 256.  title, about: for the
+ * file's metadata.  Returns false if writing fails. */
 bool picture_write_screen(const struct canvas *canvas, int depth,
     enum picture_form form, const char *title, const char *about, FILE *out);
 

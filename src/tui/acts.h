@@ -12,12 +12,12 @@ enum page { SCREEN_PAGES(PAGE_NUMBER) PAGES };
 /* Keys without a name in curses. */
 enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 
-/* Where a key acts: bits of 1 << page, ON_FIT for PAGE_FIT.  For a key that
- * acts on all pages, the same bits, shifted, name the pages that list it first.
- * AT_SPEED: it acts at the slider's speed; if n, p or N still waits for the
- * speeds of the goal (act_go_to_goal_speed), the slider goes there first.
- * CHANGES: it changes results, see viewer.c.  RUNS_COMMAND: its hint is the
- * name of the command that it runs. */
+/* Where a key acts, as bits: 1 << page, which is ON_FIT for PAGE_FIT.  The bits
+ * FIRST_ON_.. are for a key that acts on all pages: the ? list of those pages
+ * shows it first.  AT_SPEED: the key acts at the slider's speed; if n, p or N
+ * is still waiting for the speeds of the goal (act_go_to_goal_speed), the
+ * slider goes there first.  CHANGES: the key changes results, see viewer.c.
+ * RUNS_COMMAND: the key runs the command whose name is its hint. */
 #define PAGE_BIT(NUMBER, name, heading, key) ON_##NUMBER = 1 << PAGE_##NUMBER,
 enum {
 	SCREEN_PAGES(PAGE_BIT) ON_ALL = (1 << PAGES) - 1,
@@ -33,10 +33,11 @@ struct tui;
 struct key;
 typedef void key_action(struct tui *t, const struct key *key);
 
-/* code: as in ncurses; name: as shown, such as "Left, h" if h does the same.
- * act: the function, which uses the amount.  what: the effect in words; brief:
- * the same for a list that fits on one screen, or NULL if it is listed with the
- * previous key; hint: the same in the row of hints, or NULL if as brief. */
+/* code: the key code of ncurses.  name: the name shown, such as "Left, h" if h
+ * does the same.  act: the function to run, which may use the amount.  what:
+ * the effect in words.  brief: the same for a list that fits on one screen;
+ * NULL if the key is listed with the previous one.  hint: the same for the row
+ * of hints; NULL if brief serves. */
 struct key {
 	int code;
 	const char *name;
@@ -46,39 +47,40 @@ struct key {
 	const char *what, *brief, *hint;
 };
 
-/* Amounts of act_move_list_or_slider, and of act_move_to_end. */
+/* Amounts for act_move_list_or_slider, and for act_move_to_end. */
 enum { STEP = 1, FAST = 10, FAR = 50 };
 enum { TO_LEAST = -1, TO_MOST = 1 };
 
-/* Move within the page, or else the slider: by the amount, to an end; up and
- * down. */
+/* The first two move within the page or, if nothing there moves, the slider: by
+ * the amount, or to an end.  The last moves up or down within the page only. */
 key_action act_move_list_or_slider, act_move_to_end, act_move_in_list;
 
-/* Move the slider to a typed speed; to a run (-1: slowest, 0: a middle one, 1:
- * fastest); to the next limit of the goal or, without a goal, the next run, or,
- * for an amount of 0, to the best speed of the goal.  The last waits until
- * these speeds are known. */
+/* Move the slider.  act_type_speed begins a speed to go to.
+ * act_go_to_run_speed goes to the slowest run (amount -1), a middle one (0) or
+ * the fastest (1).  act_go_to_goal_speed goes to the next limit of the goal or,
+ * without a goal, to the next run; for an amount of 0, to the best speed of the
+ * goal.  It waits until these speeds are known. */
 key_action act_type_speed, act_go_to_run_speed, act_go_to_goal_speed;
 
 key_action act_open_page, act_go_back, act_open_row, act_type_filter;
 
-/* Lines: run the key's command or describe; open the command line, empty, with
- * `save` or with a command to export. */
+/* Run the key's command, or `describe`; open the command line empty, with
+ * `save`, or with a command that exports. */
 key_action act_run_hint_command, act_describe_plot, act_type_command,
     act_propose_save, act_export_prediction;
 
-/* The calibration. */
+/* Control the calibration. */
 key_action act_calibrate, act_toggle_pause, act_stop_fit,
     act_change_search_pace;
 
-/* Change what is predicted and shown.  act_type_goal opens a field that starts
- * with the quantity above the track, act_toggle_goal_view shows the goal at
- * full height. */
+/* Change what is predicted and shown.  act_type_goal opens a field that holds
+ * the goal or, without one, the quantity above the track.  act_toggle_goal_view
+ * shows the goal at full height, or no longer. */
 key_action act_next_correcting_runs, act_toggle_band, act_toggle_pin,
     act_toggle_crosshair, act_move_crosshair_passing, act_next_quantity,
     act_type_goal, act_toggle_goal_view;
 
-/* For single pages. */
+/* Act on one page each. */
 key_action act_show_all_runs, act_show_all_numbers, act_next_plot,
     act_next_generation, act_type_bounds, act_mend_cell, act_next_doubtful_cell,
     act_sort_sites;

@@ -11,7 +11,6 @@
 #include "tui/screen.h"
 #include "tui/widgets/viewer.h"
 
-/* The next output is for this screen, without escape sequences. */
 void
 captured_discard_output(struct tui *t)
 {

@@ -6,11 +6,12 @@
 
 #include "tui/tui_state.h"
 
-/* Discards earlier output. */
+/* Discards what was captured so far.  Output that follows is formatted for this
+ * screen, without escape sequences. */
 void captured_discard_output(struct tui *t);
 
-/* See `fail` in struct driver; of: a struct tui *.  The line itself is already
- * on the screen. */
+/* The `fail` of struct driver: shows an error as the message, without the line,
+ * which is already on the screen.  of: a struct tui *. */
 void captured_show_error(
     void *of, const struct error *e, const char *line, const char *name);
 

@@ -1,4 +1,4 @@
-/* Runs typed lines: gives questions without a speed that of the slider, and
+/* Runs typed lines: adds the slider's speed to questions that name none, and
  * continues a search after its bounds were changed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/cmdline.h"
@@ -41,7 +41,7 @@ run_screen_command(struct tui *t, const char *line)
 		captured_show_error(t, &error, line, ERROR_TYPED);
 }
 
-/* Waits for Return, so that the output of a shell command can be read. */
+/* Waits for Return, so that the user can read the output of a shell command. */
 static void
 wait_for_return_key(void)
 {
@@ -52,11 +52,11 @@ wait_for_return_key(void)
 	/* ^C has ended the shell command. */
 	signals_forget_interrupt();
 	ask_wait_for_line(NULL);
-	/* Whoever leaves the screen finds a line of their own. */
+	/* So that the shell's prompt has a line of its own after the screen. */
 	fputs("\n", stdout);
 }
 
-/* Returns the feed that a line names, as typed, or NULL.  The caller frees
+/* Returns the value of feed= in a line, as typed, or NULL.  The caller frees
  * it. */
 static char *
 feed_named_in_line(const char *line)
@@ -69,8 +69,8 @@ feed_named_in_line(const char *line)
 					     : strcspn(feed, " ;>|"));
 }
 
-/* Returns true if page Predict shows all that a line asks: the product of the
- * site at a speed, on the feed and the machine of the page. */
+/* Returns true if page Predict shows all that a line asks for: the product of
+ * the site at a speed, on the feed and the machine of the page. */
 static bool
 is_shown_by_page_predict(const char *line)
 {
@@ -86,8 +86,8 @@ is_shown_by_page_predict(const char *line)
 	return feed == NULL || value_parse_number(feed, "m/s", &speed);
 }
 
-/* What a line does to a running search: nothing, which is also the effect of
- * what is no command; gives it other bounds; or stops it. */
+/* What a line does to a running search.  A line that is not a command does
+ * nothing. */
 enum job_effect { JOB_GOES_ON, JOB_TAKES_BOUNDS, JOB_STOPS };
 
 static enum job_effect
@@ -105,8 +105,8 @@ effect_of_line_on_job(
 	return bounds ? JOB_TAKES_BOUNDS : JOB_STOPS;
 }
 
-/* Returns true for a question about the site that is being calibrated: its
- * parameters are not found yet. */
+/* Returns true for a question about the site that is being calibrated, which
+ * has no final parameters yet. */
 static bool
 is_question_during_fit(const struct tui *t, const struct command *command)
 {
@@ -117,8 +117,8 @@ is_question_during_fit(const struct tui *t, const struct command *command)
 	       !(command->flags & COMMAND_CHANGES);
 }
 
-/* Continues a search within bounds that a line edited; one that was stopped
- * says so. */
+/* Continues a search within its bounds, which the line may have edited.  A
+ * search that had been stopped says so. */
 static void
 resume_search_within_bounds(struct tui *t, bool edited)
 {
@@ -128,8 +128,8 @@ resume_search_within_bounds(struct tui *t, bool edited)
 		tui_say(t, false, "continues within the new bounds");
 }
 
-/* Adds to the message of a line; if a text was opened, only if there is no
- * message yet, to be read when it is closed. */
+/* Adds to the message of a line.  If the line opened a text, only an empty
+ * message is added to; it is read after the text is closed. */
 static void
 append_to_message(struct tui *t, const char *more)
 {
@@ -139,7 +139,7 @@ append_to_message(struct tui *t, const char *more)
 		    more);
 }
 
-/* Says that the pages keep their feed, below an answer for another. */
+/* After an answer for another feed, says that the pages keep theirs. */
 static void
 say_that_pages_keep_feed(struct tui *t, const char *line)
 {
@@ -152,15 +152,16 @@ say_that_pages_keep_feed(struct tui *t, const char *line)
 		    feed);
 }
 
-/* Shows the output of a line that was run, except of a search that it started,
- * which the page shows. */
+/* Shows the output of a line that was run.  A search that it began is shown by
+ * the page instead. */
 static void
 show_result_message(struct tui *t, const struct command *command,
     const char *line, bool ok, bool began)
 {
 	bool moved_only = is_shown_by_page_predict(line);
 	fflush(t->captured);
-	/* The faults that a check or a sheet has beside the error. */
+	/* Besides the error, the output may list the faults of a check or a
+	 * sheet. */
 	if (!ok && t->captured_n > 0)
 		text_print_wrapped(t->message, 0, 78, t->captured);
 	if (!began && (ok ? !moved_only : t->captured_n > 0))
@@ -209,7 +210,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	bool beside = was_busy && effect == JOB_GOES_ON;
 	show_result_message(
 	    t, command, line, ok, session_is_calibrating(s) && !beside);
-	/* The slider may have been meant. */
+	/* The user may have wanted to undo a move of the slider. */
 	if (ok && command == command_find("undo"))
 		append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "
@@ -219,8 +220,8 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 		append_to_message(t, stopped);
 }
 
-/* Returns true if a command answers for one speed; not if it draws, shows data
- * or changes something. */
+/* Returns true if a command answers for one speed: it takes speed=, and does
+ * not draw, show data or change anything. */
 static bool
 is_command_for_one_speed(const struct command *command)
 {
@@ -247,9 +248,9 @@ has_speed_operand(const struct command *asked, const char *rest)
 	       strstr(asked->operands.usage, "SPEED") != NULL;
 }
 
-/* Returns a typed line of that command, or NULL, with the slider's speed and
- * feed (tui_options_at_slider) added, if it asks about one speed and names
- * none.  The caller frees it. */
+/* Returns a typed line.  If its command `asked` (or NULL) asks about one speed
+ * and the line names none, adds the slider's speed and feed
+ * (tui_options_at_slider).  The caller frees it. */
 static char *
 line_with_slider_speed(
     const char *line, const struct command *asked, const char *where)

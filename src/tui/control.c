@@ -1,5 +1,5 @@
-/* Opens the full screen on a session, runs lines, draws the one that is running
- * over the page, at most ten times a second, so that Esc interrupts it, and
+/* Opens the full screen on a session and runs lines.  While a line runs, shows
+ * it over the page, at most ten times a second, so that Esc can interrupt it;
  * updates the screen afterwards.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/control.h"
@@ -36,11 +36,12 @@
 
 #define PAGE_NAME(NUMBER, name, heading, key) #name,
 
-/* The hooks of a session and `screen` have no argument for it. */
+/* The screen that is open, or NULL.  Static because neither the session's hooks
+ * nor `screen` can be passed it. */
 static struct tui *open;
 
-/* Returns "4 of 15: validate", with the state of its search.  The caller frees
- * it. */
+/* Returns the line being run, "4 of 15: validate", with the state of its
+ * search.  The caller frees it. */
 static char *
 running_line_text(const struct tui *t)
 {
@@ -58,12 +59,12 @@ running_line_text(const struct tui *t)
 	return words;
 }
 
-/* During a script, no page can be drawn, because each command may change what
- * it shows. */
+/* Shows the running line instead of the page: during a script no page can be
+ * drawn, because each command may change what the page shows. */
 static void
 draw_progress_if_due(struct tui *t, bool begins)
 {
-	/* s; what is over by then is not shown */
+	/* s; a line that ends earlier is not shown */
 	const double often = 0.1, patience = t->of_script ? often : 0.3;
 	double now = session_clock();
 	if (t->running_line == NULL || t->callbacks->stopped == NULL ||
@@ -81,7 +82,7 @@ draw_progress_if_due(struct tui *t, bool begins)
 	}
 }
 
-/* For a driver: notes and shows a line of a script before it is run. */
+/* For struct driver: records and shows a line of a script before it is run. */
 static void
 start_script_line(void *of, const char *line)
 {
@@ -136,8 +137,8 @@ end_running_line(struct tui *t, bool restores, bool ok)
 	t->running_line = NULL;
 }
 
-/* Runs a job to its end and draws its progress.  Signals are held on the
- * screen, and let in between two steps. */
+/* Runs a job to its end and draws its progress.  On the screen signals are
+ * blocked; here they are let in between two steps. */
 static bool
 run_job_to_end(struct session *s)
 {
@@ -149,8 +150,8 @@ run_job_to_end(struct session *s)
 	return signals_pending() == 0;
 }
 
-/* For hooks.stop: long commands ask during a line, and Esc is then looked
- * for.  The threads of a search ask too, but draw nothing, and so does a search
+/* For hooks.stop: long commands call this, which then looks for Esc.  The
+ * threads of a search call it too, but then nothing is drawn, nor for a search
  * that goes on after the screen was closed. */
 static bool
 control_is_stop_wanted(void)
@@ -288,7 +289,7 @@ control_run_line(struct tui *t, const char *line)
 	t->ran_from = session_clock();
 	t->running_line = xstrdup(line);
 	t->of_script = t->stopping = false;
-	/* A signal is no error: what was found before it stays. */
+	/* A signal is not an error: results found before it are kept. */
 	bool ok = driver_run_line(&d, line, ERROR_TYPED, 0) == 0 ||
 		  signals_pending() != 0;
 	end_running_line(
@@ -332,7 +333,6 @@ control_current_screen(void)
 	return open;
 }
 
-/* Frees all that a state owns. */
 static void
 free_tui_state(struct tui *t)
 {
@@ -359,7 +359,8 @@ control_confirm(struct session *s, const char *question, bool yes)
 	open->question = question;
 	bool got = open->callbacks->answer(open, &code, &special);
 	open->question = NULL;
-	return got && !special && (code == 'y' || code == 'Y');
+	return got && !special && code < 128 &&
+	       tr_is_yes((char[]){(char)code, '\0'});
 }
 
 static char *
@@ -368,8 +369,8 @@ control_ask_question(struct session *s, const struct user_question *q)
 	return open->away ? ask_question(s, q) : dialog_ask(open, q);
 }
 
-/* For hooks.announce: draws page Fit before the draws are computed with which a
- * search ends. */
+/* For hooks.announce: draws page Fit before the draws at the end of a search
+ * are computed. */
 static void
 show_fit_page_before_draws(const char *what)
 {
@@ -381,8 +382,8 @@ show_fit_page_before_draws(const char *what)
 	open->computing = NULL;
 }
 
-/* Returns the speed last asked about or, if the slider cannot show it, the
- * usual speed of the site. */
+/* Returns the speed last asked about or, if that is off the slider, the usual
+ * speed of the site. */
 static double
 first_slider_speed(const struct tui *t)
 {

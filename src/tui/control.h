@@ -16,11 +16,12 @@ void control_close_screen(struct tui *t);
 /* Returns the full screen if it is open, or else NULL. */
 struct tui *control_current_screen(void);
 
-/* Runs a line composed by a key and shows it.  On failure, returns false with a
- * message. */
+/* Runs a line composed by a key, and shows it as the last command.  If it
+ * fails, shows the error and returns false. */
 bool control_run_and_show(struct tui *t, const char *line);
 
-/* Updates the screen after a command that was run elsewhere. */
+/* Brings the state of the screen up to date after a command that was run
+ * elsewhere. */
 void control_refresh_screen(struct tui *t);
 
 /* ---- For cmdline.c ---- */
@@ -32,8 +33,8 @@ const struct command *control_command_of_line(const char *line);
 /* Stores the page and the quantity shown as settings, for save and restore. */
 void control_store_page_settings(struct tui *t);
 
-/* Says that a speed, m/s, is outside the slider's range, and how to extend
- * that. */
+/* Says that a speed, m/s, is outside the slider's range, and how to extend the
+ * range. */
 void control_say_speed_off_slider(struct tui *t, double speed);
 
 #endif

@@ -1,4 +1,4 @@
-/* Lists folders; the reader of sites itself reads the sheets in them.
+/* Lists folders.  Sheets in them are read by the reader of sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/folder.h"
 
@@ -55,8 +55,8 @@ folder_add_item(struct folder *folder, enum folder_kind kind, const char *name)
 	    .path = xasprintf("%s%s", folder->path, name)};
 }
 
-/* Adds an entry of a folder.  A name with a quote could not be typed, and
- * reading a pipe would wait. */
+/* Adds an entry of a folder, but not one whose name has a quote, which could
+ * not be typed.  A pipe is left out, too: reading it would wait. */
 static void
 add_directory_entry(struct folder *folder, const char *name)
 {
@@ -104,7 +104,8 @@ folder_list(struct folder *folder, const char *path)
 	    compare_folder_items);
 }
 
-/* Returns "Granite, 11.2 mm, 69 74 79 m/s", or NULL if it is no site. */
+/* Returns "Granite, 11.2 mm, 69 74 79 m/s", or NULL if the file is not a
+ * site. */
 static char *
 site_file_summary(const char *path)
 {
@@ -145,7 +146,7 @@ folder_keep_kinds(struct folder *folder, unsigned kinds)
 	folder->n = n;
 }
 
-/* Adds the shipped sites made from the table of the paper, because without an
+/* Adds the shipped sites as made from the paper's Table 3, because without an
  * installation there are no files of them. */
 static void
 add_synthetic_sites(struct folder *folder)
@@ -218,8 +219,8 @@ folder_target_of_item(const struct folder *folder, size_t item)
 	return xstrndup(path, n);
 }
 
-/* A name with = alone would be taken for an option, and one with @ for a
- * speed. */
+/* Adds "./" to a name that would otherwise be taken for an option (=) or a
+ * speed (@). */
 char *
 folder_open_command(const struct folder_item *item, bool anew)
 {
@@ -266,7 +267,8 @@ print_site_summary(const struct site *site, FILE *out)
 	for (size_t i = 0; i < site->n_left_out; i++)
 		fprintf(out, tr("not read: %s, %s\n"), site->left_out[i].key,
 		    site->left_out[i].value);
-	print_unless_empty(out, tr("data: "), site->provenance);
+	FREED char *data = site_provenance_in_words(site->provenance);
+	print_unless_empty(out, tr("data: "), data);
 }
 
 char *
@@ -319,7 +321,8 @@ print_sheet_preview(const char *path, FILE *out)
 	site_free(site);
 }
 
-/* Returns the bytes to read, unpacked if it is an archive. */
+/* Returns the size of a file or, of an archive, that of its content divided by
+ * UNPACKED_TIMES. */
 static double
 unpacked_size_of_file(const char *path, double bytes)
 {

@@ -8,7 +8,9 @@
 
 #include "core/psd/site.h"
 
-/* Kinds of items, in the order in which they are listed. */
+/* Kinds of items, in the order in which they are listed.  FOLDER_SESSION: a
+ * script; FOLDER_ABOVE: the parent folder; FOLDER_BELOW: a folder in this one;
+ * FOLDER_RESULTS: a file written by tipspeed. */
 enum folder_kind {
 	FOLDER_SHEET,
 	FOLDER_SESSION,
@@ -19,15 +21,15 @@ enum folder_kind {
 };
 
 /* about: for a shipped site, "Granite, 11.2 mm, 69 74 79 m/s"; for
- * FOLDER_RESULTS, "results of predict"; for FOLDER_SESSION, its contents; else
- * NULL.  made: the command that makes the item, if it has no file. */
+ * FOLDER_RESULTS, "results of predict"; for FOLDER_SESSION, "a saved session";
+ * else NULL.  made: the command that makes the item, if it has no file. */
 struct folder_item {
 	enum folder_kind kind;
 	char *name, *path, *about, *made;
 };
 
-/* path: "" is the program's working folder.  item [n].  why: why it cannot be
- * read, or NULL; more: not all items are listed. */
+/* path: "" is the working folder.  why: the reason why it cannot be read, or
+ * NULL.  more: it has more items than are listed. */
 struct folder {
 	size_t n;
 	struct folder_item *item;
@@ -36,8 +38,9 @@ struct folder {
 	bool more;
 };
 
-/* Lists a folder: sheets, the parent folder, folders, other files.  Omits
- * hidden items and those that are neither folders nor files. */
+/* Lists a folder, in the order of enum folder_kind.  Omits hidden items, those
+ * with a double quote in their names, and those that are neither folders nor
+ * files. */
 void folder_list(struct folder *folder, const char *path);
 
 /* Lists the shipped sites: those in the source tree if the program runs in one,
@@ -49,15 +52,16 @@ void folder_keep_kinds(struct folder *folder, unsigned kinds);
 
 void folder_free(struct folder *folder);
 
-/* Returns the folder to which an item leads: "sub/", or ".." from "sub".  The
- * caller frees it. */
+/* Returns the path of the folder to which an item leads: "sub/" or, for the
+ * parent of the working folder, "../".  The caller frees it. */
 char *folder_target_of_item(const struct folder *folder, size_t item);
 
-/* Returns the command that opens an item other than a folder.  anew: a session
- * replaces the current one.  The caller frees it. */
+/* Returns the command that opens an item other than a folder.  anew: a saved
+ * session replaces the current one.  The caller frees it. */
 char *folder_open_command(const struct folder_item *item, bool anew);
 
-/* Describes a site as read, in lines.  The caller frees the text. */
+/* Returns a description of a site as it was read, in lines.  The caller frees
+ * it. */
 char *folder_describe_site(const struct site *site);
 
 /* Returns what load would print about a file, in lines, or what it would ask.

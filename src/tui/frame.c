@@ -1,4 +1,4 @@
-/* Draws the surroundings of every page: heading, slider, last command, status,
+/* Draws what surrounds every page: heading, slider, last command, status,
  * hints.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/frame.h"
@@ -22,8 +22,8 @@
 #include "tui/widgets/panel.h"
 #include "tui/widgets/viewer.h"
 
-/* Writes a page's key and name for the heading; on a narrow screen without the
- * names of the pages that are not open, or without any. */
+/* Writes a page's key and name for the heading.  On a narrow screen the other
+ * pages have no names; on a very narrow one, nor has the open page. */
 static const char *
 page_tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 {
@@ -97,7 +97,7 @@ draw_command_line(struct tui *t, const struct area *area)
 	if (t->line.active) {
 		size_t from;
 		int at = pane_draw_typed_line(
-		    area, t->goal_field ? "goal: " : ":", &t->line, &from);
+		    area, t->goal_field ? tr("goal: ") : ":", &t->line, &from);
 		hits_add(&t->hits, HIT_PRESS, *area, on_click_typed_line, from);
 		return at;
 	}
@@ -113,9 +113,9 @@ draw_command_line(struct tui *t, const struct area *area)
 	return 0;
 }
 
-/* Draws the message.  If it is too long for its row, it begins in the row of
- * the last command; while that has no row of its own or a line is being typed
- * there, it continues in the row of hints.  Returns true if it covers the
+/* Draws the message.  If it is too long for its row, it begins in the row
+ * above, that of the last command.  If there is no such row, or a line is being
+ * typed there, it continues in the row of hints.  Returns true if it covers the
  * hints. */
 static bool
 frame_draw_message(const struct tui *t, const struct area *row)
@@ -155,7 +155,7 @@ draw_job_state(const struct tui *t, const struct area *area)
 	    s->job.options.generations);
 }
 
-/* Draws what to do next; if there is little room, without the reason. */
+/* Draws what to do next.  If there is little room, leaves out the reason. */
 static int
 draw_what_to_do_next(const struct area *area, const char *words)
 {
@@ -191,8 +191,8 @@ site_status_text(struct tui *t, int columns)
 		   : xasprintf(tr("parameters %s"), origin_source_text(entry));
 }
 
-/* Draws these words or, during a search, its state: the words would then be
- * computed for each frame. */
+/* Draws site_status_text or, during a search, the state of the search, because
+ * the text would have to be computed anew for each frame. */
 static void
 draw_status_row(struct tui *t, const struct area *area)
 {
@@ -305,13 +305,12 @@ frame_draw_hints(struct tui *t)
 	pane_hints(t, hints);
 }
 
-/* A speed being typed. */
 static void
 draw_typed_speed(struct tui *t, const struct area *note)
 {
 	bool narrow = note->columns < 24;
 	const char *typed = t->speed.text + (t->speed.text[0] == '=');
-	/* No tip speed is as high as turns are. */
+	/* A number above SITE_FASTEST must be rpm: no tip speed is as high. */
 	struct slider_range range = tui_slider_range(t);
 	bool part = range.rotor > 0 && !slider_has_speed(range, atof(typed));
 	const char *unit = strpbrk(typed, "rpms") != NULL ? ""
@@ -326,9 +325,9 @@ draw_typed_speed(struct tui *t, const struct area *note)
 	t->cursor = (struct cursor){note->row, at};
 }
 
-/* Returns true if the state takes the row of the command, because it has no
- * row of its own and matters more; on the smallest screens only while a job
- * runs. */
+/* Returns true if the status is shown in the row of the command, because it has
+ * no row of its own and matters more.  On the smallest screens it matters more
+ * only while a job runs. */
 static bool
 is_status_in_command_row(const struct tui *t)
 {
@@ -337,8 +336,8 @@ is_status_in_command_row(const struct tui *t)
 	       (l->hints.rows > 0 || session_is_calibrating(t->session));
 }
 
-/* Draws what belongs in the row of messages.  Returns true if it covers the
- * hints. */
+/* Draws the row of messages: what is being typed there, the message, or the
+ * status.  Returns true if it covers the hints. */
 static bool
 draw_message_row(struct tui *t, const struct area *note)
 {
@@ -379,7 +378,7 @@ draw_bottom_rows(struct tui *t)
 		if (typing)
 			t->cursor = (struct cursor){line->row, at};
 	}
-	/* Where the line takes the row of messages, its completions cover the
+	/* A line typed in the row of messages has its completions in the row of
 	 * hints. */
 	bool offers = t->line.offers != NULL && l->hints.rows > 0;
 	if (note == line && typing && offers)
@@ -392,7 +391,8 @@ draw_bottom_rows(struct tui *t)
 static void
 draw_question(struct tui *t, int rows, int columns)
 {
-	FREED char *asks = xasprintf("%s y/n", t->question),
+	FREED char *asks = xasprintf("%s %c/%c", t->question, tr_yes_letter(),
+		       tr_no_letter()),
 		   *text = text_wrapped(asks, columns);
 	int n = text_count_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};
@@ -402,7 +402,7 @@ draw_question(struct tui *t, int rows, int columns)
 	const char *last = strrchr(text, '\n');
 	int end = text_width_in_columns(last != NULL ? last + 1 : text);
 	t->cursor = (struct cursor){rows - 1, end};
-	/* It ends with "y/n"; the mouse has no other answer. */
+	/* The text ends with "y/n", and only these react to the mouse. */
 	hits_clear(&t->hits);
 	hits_add_key(&t->hits,
 	    area_part_of_row(&area, n - 1, end < 4 ? 0 : end - 4, 2), 'y');
@@ -424,15 +424,13 @@ frame_draw_page(struct tui *t)
 	draw_bottom_rows(t);
 }
 
-/* The wheel moves the slider over the track, the curve above it and the
- * plot. */
+/* Moves the slider by the wheel, over the track, the strip and the plot. */
 static void
 on_wheel_move_slider(struct tui *t, const struct mouse_event *touched)
 {
 	tui_step_slider_to(t, tui_slider_position(t) - touched->by);
 }
 
-/* The wheel scrolls text. */
 static void
 on_wheel_scroll_text(struct tui *t, const struct mouse_event *touched)
 {
@@ -449,7 +447,8 @@ side_panel_columns(const struct page_ops *page, int columns)
 							  : page->side;
 }
 
-/* Adds the areas of the wheel; what is drawn later lies on top of them. */
+/* Adds the areas where the wheel acts.  What is drawn later lies on top of
+ * them. */
 static void
 add_wheel_areas(struct tui *t, bool viewing)
 {

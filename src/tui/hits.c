@@ -70,7 +70,8 @@ hits_dispatch_mouse(struct tui *t, struct hits *hits, enum hit_kind kind,
 		return pressed.kinds & HIT_DRAG;
 	}
 	for (size_t i = hits->n; i-- > 0;) {
-		/* What it does may draw, and so change the list. */
+		/* A copy, because the handler may draw and so change the
+		 * list. */
 		struct hit touch = hits->at[i];
 		if (!(touch.kinds & kind) ||
 		    !area_has_cell(&touch.area, row, column))

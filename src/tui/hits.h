@@ -22,9 +22,9 @@ enum hit_kind {
 	HIT_WHEEL = HIT_UP | HIT_DOWN
 };
 
-/* row, column: from the top left of the area; negative or beyond the area after
- * a drag out of it.  by: rows by which the wheel moves a list down.  item: as
- * passed to hits_add. */
+/* A mouse event in an area.  row, column: from its top left; negative or beyond
+ * the area after a drag out of it.  by: rows by which the wheel moves a list
+ * down.  item: as passed to hits_add. */
 struct mouse_event {
 	enum hit_kind kind;
 	int row, column, by;

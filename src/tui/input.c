@@ -1,6 +1,6 @@
 /* Reads keys from ncurses, and pasted text.  Only the first pasted line is
- * typed: joined lines could mean something else, and what the user has not seen
- * must not be run.
+ * typed: joined lines could mean something else, and nothing that the user has
+ * not seen may be run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/input.h"
 
@@ -25,7 +25,7 @@ type_pasted_character(struct tui *t, int code)
 	code = code == '\t' ? ' ' : code;
 	if (ends && p->taken > 0)
 		p->ended = true;
-	/* Control characters are ignored, also those beyond ASCII. */
+	/* Control characters are ignored, including those beyond ASCII. */
 	if (code < ' ' || (code >= 127 && code < 160))
 		return;
 	if (p->taken == 0 && !p->ended && code != ' ')
@@ -68,8 +68,8 @@ input_handle_paste(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* Reads a key with signals unblocked, because ncurses waits for the rest of
- * what begins like a click, even if it never comes. */
+/* Reads a key with signals unblocked: when a key begins like a mouse event,
+ * ncurses waits for the rest of it, even if that never comes. */
 static int
 read_curses_key(wint_t *code)
 {
@@ -79,9 +79,10 @@ read_curses_key(wint_t *code)
 	return got;
 }
 
-/* Skips a sequence that is not in the description of the terminal, because its
- * characters would be taken for keys.  Returns true if there was one: unlike a
- * typed Esc, its Esc comes with other characters. */
+/* Skips an escape sequence that is not in the terminal's description, because
+ * its characters would be taken for keys.  Returns true if there was one:
+ * unlike an Esc that was typed, its Esc comes together with other
+ * characters. */
 static bool
 skip_escape_sequence(void)
 {
@@ -103,8 +104,8 @@ skip_escape_sequence(void)
 	return false;
 }
 
-/* Returns true if there is more to read, because get_wch also fails on bytes
- * that are no character. */
+/* Returns true if there is more to read.  get_wch fails also on bytes that are
+ * not a character. */
 static bool
 is_input_waiting(void)
 {

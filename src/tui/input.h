@@ -7,8 +7,8 @@
 
 #include "tui/tui_state.h"
 
-/* Reads the next key, if there is one.  Handles pasted text, with signals
- * unblocked, because it may be long.  code: from ncurses if special, else a
+/* Reads the next key.  Returns false if there is none, or on a signal.  Handles
+ * pasted text itself.  code: a key code of ncurses if special, else a
  * character. */
 bool input_next_key(struct tui *t, int *code, bool *special);
 
@@ -17,7 +17,7 @@ bool input_next_key(struct tui *t, int *code, bool *special);
  * which are then handled. */
 bool input_handle_paste(struct tui *t, int code, bool special);
 
-/* Ends pasted text, even if its end mark never arrives. */
+/* Ends pasted text.  Called at its end mark, or if that never arrives. */
 void input_end_paste(struct tui *t);
 
 #endif

@@ -32,9 +32,9 @@
 #include "tui/watch.h"
 #include "tui/word.h"
 
-/* Lets the page or its list handle a key that moves; on a page with a curve
- * above the track, the slider comes before the list.  Returns false if neither
- * did. */
+/* Lets the page or its list handle a key that moves.  On a page with the
+ * response strip, the slider comes before the list.  Returns false if neither
+ * handled it. */
 static bool
 move_within_page(struct tui *t, const struct key *key)
 {
@@ -104,8 +104,8 @@ default_file_name(const struct tui *t)
 			     : "session");
 }
 
-/* Proposes the script in which the session is saved, or else the first unused
- * name. */
+/* Proposes to save in the script that the session was saved in or, if there is
+ * none, under an unused name. */
 void
 act_propose_save(struct tui *t, const struct key *key)
 {
@@ -123,7 +123,8 @@ act_propose_save(struct tui *t, const struct key *key)
 	edit_begin_with_proposal(&t->line, "save ", name);
 }
 
-/* "tierp-74.0.xlsx", which a spreadsheet opens whatever its decimal sign. */
+/* Proposes "tierp-74.0.xlsx", which a spreadsheet opens whatever its decimal
+ * sign. */
 void
 act_export_prediction(struct tui *t, const struct key *key)
 {
@@ -165,7 +166,7 @@ act_describe_plot(struct tui *t, const struct key *key)
 	cmdline_run_line(t, line);
 }
 
-/* Sets the next choice of the runs that correct the answer. */
+/* Goes to the next choice of runs that correct the answer. */
 void
 act_next_correcting_runs(struct tui *t, const struct key *key)
 {
@@ -227,7 +228,7 @@ act_calibrate(struct tui *t, const struct key *key)
 	restart_calibration(t, "calibrate");
 }
 
-/* Pauses or continues the calibration, also one that was stopped. */
+/* Pauses or continues the calibration, or continues one that was stopped. */
 void
 act_toggle_pause(struct tui *t, const struct key *key)
 {
@@ -279,7 +280,7 @@ act_toggle_pin(struct tui *t, const struct key *key)
 	if (!pinned && t->view.current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
 	else if (!control_run_and_show(t, pinned ? "pin off" : line))
-		; /* it has said why */
+		; /* it has shown the error */
 	else if (pinned)
 		tui_say(t, false,
 		    "unpinned %s at %s: u pins it again, x what is shown now",
@@ -378,7 +379,7 @@ act_redraw_screen(struct tui *t, const struct key *key)
 	screen_resize();
 }
 
-/* The loop of the screen handles the signal. */
+/* Leaves the rest to the loop of the screen, which handles the signal. */
 void
 act_suspend_program(struct tui *t, const struct key *key)
 {
@@ -426,8 +427,8 @@ handle_command_line_key(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* Passes a key to the text on the screen.  In the list of keys, Enter runs the
- * chosen one. */
+/* Lets the text on the screen handle a key.  In the list of keys, Enter runs
+ * the chosen key. */
 static bool
 handle_viewer_key(struct tui *t, int code, bool special)
 {
@@ -438,8 +439,8 @@ handle_viewer_key(struct tui *t, int code, bool special)
 	return took;
 }
 
-/* Returns true if a key continues the typed speed; after "=" units do so as
- * well: "72.5 m/s" or "1450 rpm". */
+/* Returns true if a key continues the typed speed.  After "=" a unit may be
+ * typed as well: "72.5 m/s" or "1450 rpm". */
 static bool
 is_letter_of_typed_speed(const struct edit *y, int code)
 {
@@ -450,14 +451,13 @@ is_letter_of_typed_speed(const struct edit *y, int code)
 	       (code == '.' || (code >= '0' && code <= '9') || unit);
 }
 
-/* Goes to the speed that was typed. */
 static void
 go_to_typed_speed(struct tui *t, const char *text)
 {
 	double rotor = tui_known_rotor(t), v = NAN;
 	bool said = strstr(text, "rpm") != NULL;
 	bool read = value_parse_number(text, said ? "rpm" : "m/s", &v);
-	/* No tip speed is as high as turns are. */
+	/* A number above SITE_FASTEST must be rpm: no tip speed is as high. */
 	bool turns = said || v > SITE_FASTEST;
 	double speed = turns ? speed_in_unit_to_mps(v, SPEED_RPM, rotor) : v;
 	if (!read)
@@ -476,8 +476,8 @@ go_to_typed_speed(struct tui *t, const char *text)
 		control_say_speed_off_slider(t, speed);
 }
 
-/* Returns true if a digit begins a speed: it does unless it opens a page, so
- * that speeds from 50 to 59 m/s need the =. */
+/* Returns true if a digit begins a speed.  One that opens a page does not:
+ * speeds from 50 to 59 m/s need the =. */
 static bool
 is_start_of_typed_speed(const struct tui *t, int code)
 {
@@ -485,7 +485,7 @@ is_start_of_typed_speed(const struct tui *t, int code)
 	       keys_find_by_code(code, t->ui.page) == NULL;
 }
 
-/* Handles a key of a typed speed, which = or a digit begins. */
+/* Handles a key of a typed speed, which begins with = or a digit. */
 static bool
 handle_typed_speed_key(struct tui *t, int code, bool special)
 {
@@ -506,8 +506,9 @@ handle_typed_speed_key(struct tui *t, int code, bool special)
 	return code == '\n' || code == '\r' || code == ESCAPE;
 }
 
-/* A click ends the typing of a speed, except on its own hints.  While a line is
- * typed, only its own areas are there to be clicked. */
+/* Handles a mouse action.  A click ends the typing of a speed, except a click
+ * on its own hints.  While a line is typed, only its own areas can be
+ * clicked. */
 static void
 handle_mouse_action(struct tui *t, enum hit_kind kind, int row, int column)
 {
@@ -518,7 +519,6 @@ handle_mouse_action(struct tui *t, enum hit_kind kind, int row, int column)
 	hits_dispatch_mouse(t, &t->hits, kind, row, column, keymap_handle_key);
 }
 
-/* Translates a mouse event of ncurses. */
 static void
 translate_mouse_event(struct tui *t,
     void (*touched)(struct tui *t, enum hit_kind kind, int row, int column))
@@ -577,8 +577,9 @@ handle_answer_key(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* What takes keys, the topmost first; each returns false for a key that it
- * leaves to the next.  Yes and no are read elsewhere. */
+/* The modes that take keys, the topmost first.  Each function returns false for
+ * a key that it leaves to the next mode.  The keys of a QUESTION, yes and no,
+ * are read elsewhere. */
 enum mode { ANSWER, QUESTION, GOAL, LINE, TEXT, FILES, FILTER, SPEED, PAGE };
 static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [ANSWER] = handle_answer_key,
@@ -640,9 +641,9 @@ keymap_run_delayed_key(struct tui *t)
 	run_key_action(t, word_take_delayed_key(t));
 }
 
-/* Runs the held key, which may ask a question, such as whether to calibrate
- * again.  The question reads the next key, and that is this one.  Returns true
- * if it was read. */
+/* Runs the held key before the key `code`.  It may ask a question, such as
+ * whether to calibrate again, and the question then reads `code` as its answer.
+ * Returns true if that was read. */
 static bool
 run_delayed_key_before(struct tui *t, int code, bool special)
 {
@@ -663,8 +664,8 @@ keymap_handle_key(struct tui *t, int code, bool special)
 		code = code == KEY_ENTER ? '\n' : DELETE;
 		special = false;
 	}
-	/* A character beyond ASCII is no key, though its code may equal that of
-	 * one. */
+	/* A character beyond ASCII is not a key, though its code may equal that
+	 * of one. */
 	enum mode mode = first_open_input_mode_from(t, ANSWER);
 	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
 	    mode != LINE)
@@ -679,8 +680,8 @@ keymap_handle_key(struct tui *t, int code, bool special)
 		run_key_action(t, key);
 		return;
 	}
-	/* A message stands until the next key, but for that which closes a text
-	 * and leaves one. */
+	/* A message stays until the next key, except a key that closes a text
+	 * and leaves a message. */
 	if (mode >= FILTER)
 		t->message[0] = '\0';
 	while (MODES[mode] != NULL && !MODES[mode](t, code, special))

@@ -1,4 +1,4 @@
-/* The table of keys.  It takes only key codes from curses, because the program
+/* The table of keys.  From curses it uses only key codes, because the program
  * that prints the manual links neither curses nor the actions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/keys.h"
@@ -240,7 +240,8 @@ keys_code_of_name(const char *name, int *code)
 }
 
 /* Returns what the keys of a hint do, in the words of the first key that has
- * any; "" if the hint has more than keys: "Down Enter", "1-5 pages". */
+ * any.  Returns "" if the hint already has words after its keys: "1-5
+ * pages". */
 static const char *
 what_keys_of_hint_do(const char *hint, enum page page)
 {
@@ -287,7 +288,7 @@ keys_hint_row(const char *hints, enum page page)
 	return bar;
 }
 
-/* What is said of a speed in m/s, and instead of it for a sheet in rpm. */
+/* Texts about speeds in m/s, and those that replace them for a sheet in rpm. */
 static const char *const IN_RPM[][2] = {
     {"slider of the page to the left: speed by 0.1 m/s, generation, cell",
 	N_("slider of the page to the left: speed by 1 rpm, generation, cell")},
@@ -313,8 +314,8 @@ keys_words(const char *words, bool in_rpm)
 	return tr(words);
 }
 
-/* Returns what the key does, and " (page Fit)" if that is the only page on
- * which it acts.  The caller frees. */
+/* Returns what the key does, followed by " (page Fit)" if it acts only on that
+ * page.  The caller frees it. */
 static char *
 key_description(const struct key *k, bool in_rpm)
 {
@@ -328,7 +329,7 @@ key_description(const struct key *k, bool in_rpm)
 }
 
 /* Returns true if a key belongs to a page: it acts there but not on all pages,
- * or that page lists it first. */
+ * or it acts on all but is listed first there. */
 static bool
 is_key_of_page(const struct key *k, enum page page)
 {
@@ -338,8 +339,8 @@ is_key_of_page(const struct key *k, enum page page)
 	return pages & (1U << page);
 }
 
-/* Returns "  Up Down       a row": a key, with those that go with it as far as
- * there is room. */
+/* Returns a line of the brief list, "  Up Down       a row": a key, with those
+ * listed with it as far as there is room. */
 static char *
 brief_help_line(const struct key *k, bool in_rpm)
 {
@@ -369,15 +370,14 @@ has_word_in_help_line(const struct key *k, const char *word)
 	return text_contains_word(line, word);
 }
 
-/* Returns true if the brief list of a page has the key. */
 static bool
 is_in_brief_list(const struct key *k, enum page page)
 {
 	return k->brief != NULL && k->where & (1U << page);
 }
 
-/* Lists keys, those of the page first: all of the page, or those whose line
- * contains the word.  Returns their number. */
+/* Lists keys, those of the page first: all keys of the page or, if there is a
+ * word, those whose line contains it.  Returns their number. */
 static size_t
 find_listed_keys(enum page page, const char *word,
     const struct key *line[static ARRAY_LEN(KEYS)])

@@ -1,5 +1,5 @@
-/* The keys of the full screen, as data: each key, its effect, and the command
- * it composes.  The ?  page and the manual are generated from this.
+/* The keys of the full screen, as data: each key and its effect.  The list that
+ * ? shows and the manual are generated from this.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_KEYS_H
 #define TIPSPEED_TUI_KEYS_H
@@ -24,34 +24,35 @@ int keys_code_of_page(enum page page);
  * ncurses. */
 bool keys_code_of_name(const char *name, int *code);
 
-/* Returns the length of the first of names with / or a space between them. */
+/* Returns the length of the first of several names, which are separated by / or
+ * a space. */
 size_t keys_first_name_length(const char *names);
 
 /* Returns the next of several hints separated by two spaces, and advances past
  * it.  The caller frees it. */
 char *keys_next_hint(const char **hints);
 
-/* Makes the row of hints from names of keys separated by two spaces:
- * "<-/->  n p  Enter use it"; a name without words gets those of its row.  The
+/* Returns the row of hints for keys that are separated by two spaces, "<-/->  n
+ * p  Enter use it".  A key without words gets those of its row in KEYS.  The
  * caller frees it. */
 char *keys_hint_row(const char *hints, enum page page);
 
-/* For the ? page: keys_print_list prints a line for each key whose line
- * contains the word, ignoring case, the page's own keys first; if the word is
- * "", it prints all keys of the page, in brief; in_rpm: with speeds in rpm.
- * keys_listed_at returns the key
- * of line n, or NULL; keys_count_listed returns the number of lines. */
+/* For the list that ? shows.  keys_print_list prints a line for each key whose
+ * line contains the word, ignoring case, the page's own keys first.  If the
+ * word is "", it prints all keys of the page, in brief.  in_rpm: with speeds in
+ * rpm.  keys_listed_at returns the key of line n, or NULL; keys_count_listed
+ * returns the number of lines. */
 void keys_print_list(enum page page, const char *word, bool in_rpm, FILE *out);
 const struct key *keys_listed_at(enum page page, const char *word, size_t n);
 size_t keys_count_listed(enum page page, const char *word);
 
-/* Returns the words of a key, translated; in_rpm: with speeds in rpm. */
+/* Returns a text about a key, translated.  in_rpm: with speeds in rpm. */
 const char *keys_words(const char *words, bool in_rpm);
 
 /* Prints the keys for tipspeed-tui(1), as mdoc. */
 void keys_print_manual(FILE *out);
 
-/* Calls print on the text that describes each key, for translators. */
+/* Passes each text in KEYS to print, for translators. */
 void keys_print_for_translators(
     void (*print)(const char *text, FILE *out), FILE *out);
 

@@ -1,4 +1,4 @@
-/* Arithmetic with rows and columns, without terminal or session.
+/* Computes rows and columns, without a terminal or a session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/layout.h"
 
@@ -42,12 +42,12 @@ area_cut(struct area *from, enum edge edge, int n)
 	return cut;
 }
 
-/* Narrower, a plot, a legend or a panel says nothing. */
+/* With fewer columns, a plot, a legend or a panel would be useless. */
 enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
-/* Lower, the screen has no panel beside a plot, and no plot. */
+/* With fewer rows, the screen has no panel beside a plot, or no plot. */
 enum { SIDE_ROWS = 18, PLOT_ROWS = 11 };
-/* Rows and columns that are shared: another row for each EVERY rows of the
- * screen; a blank column between a wall and its text from GAP_COLUMNS on. */
+/* The strips get another row for each EVERY rows of the screen.  From
+ * GAP_COLUMNS on, there is a blank column between a wall and its text. */
 enum { EVERY = 10, GAP_COLUMNS = 100 };
 
 static void
@@ -79,7 +79,8 @@ layout_make(int rows, int columns, struct layout_ask ask)
 		    columns - ask.side_columns > PLOT_COLUMNS;
 	int half = (rows - AROUND) / 2,
 	    list = ask.list_rows < half ? ask.list_rows : half;
-	/* From the foot up, with the least rows of the screen for each. */
+	/* From the foot up, with the fewest rows of the screen at which each is
+	 * shown. */
 	const struct {
 		bool wanted;
 		int least;

@@ -5,13 +5,13 @@
 
 #include <stdbool.h>
 
-/* What a page needs besides its body: columns of a side panel, or 0; the strip
- * of differences below the plot; the response strip above the track.
- * list_rows: 0, or the rows of a list to which the body is reduced, for a strip
- * at full height with a row of certainty; no_site: there is nothing at any
- * speed, so neither numbers, caption nor track, but the row of the track where
- * it is the only one for messages; in_rpm: the ends of the track are in rpm, of
- * four digits. */
+/* What a page needs besides its body.  side_columns: columns of a side panel,
+ * or 0.  differences: a strip of differences below the plot.  strip: the
+ * response strip above the track.  no_site: no site is loaded, so there are no
+ * numbers, caption and track; the row of the track stays if it is the only one
+ * for messages.  in_rpm: the ends of the track are in rpm, of four digits.
+ * list_rows: rows of a list to which the body is reduced, to give the strip the
+ * full height with a row of certainty; or 0. */
 struct layout_ask {
 	int side_columns;
 	bool differences, strip, no_site, in_rpm;
@@ -28,9 +28,10 @@ struct area {
 enum edge { EDGE_TOP, EDGE_FOOT, EDGE_LEFT, EDGE_RIGHT };
 struct area area_cut(struct area *from, enum edge edge, int n);
 
-/* body: everything between the header and the caption, which is a rule with
- * words; plot and side are its parts.  wall: the column of the line before
- * side, or -1; end_columns: of either end of the track, with a blank. */
+/* body: what the other parts leave between the header and the foot; plot and
+ * side are its parts.  wall: the column of the line to the left of side, or -1.
+ * end_columns: columns for the number at either end of the track, and a blank.
+ * caption: a rule with words. */
 struct layout {
 	int wall, end_columns;
 	struct area header, body, plot, side, legend, differences, numbers,
@@ -57,7 +58,8 @@ int layout_message_rows(const struct layout *l);
 /* True if a cell is in the area. */
 bool area_has_cell(const struct area *area, int row, int column);
 
-/* Return a row of an area, or some columns of a row. */
+/* area_of_row returns a row of an area; area_part_of_row returns some columns
+ * of it. */
 struct area area_of_row(const struct area *area, int row);
 struct area area_part_of_row(
     const struct area *area, int row, int column, int columns);

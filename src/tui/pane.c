@@ -57,7 +57,8 @@ pane_list_area(const struct tui *t)
 	return area;
 }
 
-/* A click on a plot says what is drawn there, and may do more on its page. */
+/* Handles a click on a plot: says what is drawn there, and lets the page
+ * act. */
 static void
 on_click_plot(struct tui *t, const struct mouse_event *touched)
 {
@@ -106,8 +107,8 @@ pane_draw_plot(
 	screen_draw_wrapped(area, row, 0, error.hint);
 }
 
-/* Draws the name of a curve after those to its left, if there is room for all
- * of it.  Returns the column after it. */
+/* Draws the name of a curve after those to its left, if all of it fits.
+ * Returns the column after it. */
 static int
 draw_legend_curve_name(const struct tui *t, int column, enum series series,
     unsigned look, const char *text)
@@ -133,8 +134,8 @@ draw_legend_limits(const struct tui *t, int column, bool ascii)
 	free(words);
 }
 
-/* Names the mark of each run, and how many runs are not drawn.  moved: out,
- * whether any is moved to the feed. */
+/* Names the mark of each run, and says how many runs are not drawn.  Sets
+ * *moved to whether any product was moved to the feed. */
 static int
 draw_legend_runs(const struct tui *t, int column, bool *moved)
 {
@@ -168,8 +169,8 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 	return column;
 }
 
-/* Names the feed, and that measured products are moved to it, if there is room
- * for that. */
+/* Names the feed and, if there is room, says that measured products are moved
+ * to it. */
 static int
 draw_legend_feed(
     const struct tui *t, int column, const char *line, bool own, bool moved)
@@ -189,8 +190,8 @@ draw_legend_feed(
 		   : draw_legend_curve_name(t, column, SERIES_FEED, 0, feed);
 }
 
-/* Draws a legend of one row, as that of the plot itself would leave it little
- * room.  The runs are those of plots_psd. */
+/* Draws a legend of one row, because the plot's own legend would leave it
+ * little room.  The runs are those that plots_psd draws. */
 static void
 pane_draw_legend(const struct tui *t, const struct plot_request *request)
 {
@@ -254,7 +255,8 @@ pane_draw_curves(struct tui *t, struct plot_request *request, bool notes)
 	pane_draw_plot(t, request, &plot);
 }
 
-/* Returns the bytes of the keys that a hint begins with: "n p", "Up/Down". */
+/* Returns the number of bytes of the keys with which a hint begins: "n p",
+ * "Up/Down". */
 static int
 length_of_hint_keys(const char *hint)
 {
@@ -270,8 +272,8 @@ length_of_hint_keys(const char *hint)
 	return (int)n;
 }
 
-/* Adds the keys that a hint begins with: a click on a key presses it, and if
- * there is only one, so does a click on its words. */
+/* Makes the keys at the beginning of a hint react to the mouse: a click on a
+ * key presses it; if there is only one, so does a click on its words. */
 static void
 add_hint_click_areas(struct tui *t, int row, int column, const char *hint)
 {

@@ -7,10 +7,10 @@
 #include "tui/tui_state.h"
 
 /* Rows through which a cursor moves, see list.h.  n returns their number.  id
- * returns an identity of a row that does not depend on the order; NULL: its
- * number.  text returns text of a row to search besides its columns, which the
- * caller frees.  chosen is called when the cursor has moved, open by Enter.
- * update computes what is shown.  table: its columns.  All but n may be
+ * returns a number that identifies a row in any order; if NULL, its index does.
+ * text returns a text of the row to search besides its columns; the caller
+ * frees it.  chosen is called when the cursor has moved, open for Enter.
+ * update computes what is shown.  table: the columns.  All but n may be
  * NULL. */
 struct list_table;
 struct page_list {
@@ -22,13 +22,15 @@ struct page_list {
 	const struct list_table *table;
 };
 
-/* The operations of a page, defined in its own file.  Those that a page does
- * not need are NULL. */
+/* The operations of a page, which are defined in its own file.  Those that it
+ * does not need are NULL. */
 struct page_ops {
-	const char *hints; /* its keys, see keys_hint_row; or NULL: */
+	/* The row of hints, see keys_hint_row; if hints is NULL, hints_now
+	 * returns it. */
+	const char *hints;
 	const char *(*hints_now)(const struct tui *t);
-	/* Columns of its side panel: by default; from 100 screen columns; from
-	 * 120.  0: no change. */
+	/* Columns of its side panel: by default; from 100 screen columns (0: as
+	 * by default); from 120. */
 	int side, middle_side, wide_side;
 	bool differences, strip; /* see struct layout_ask */
 
@@ -42,8 +44,8 @@ struct page_ops {
 	/* Draws the body. */
 	void (*draw)(struct tui *t);
 
-	/* Draws its own caption above the track; returns false for the usual
-	 * caption. */
+	/* Draws its own caption above the track.  Returns false if the usual
+	 * caption is to be drawn instead. */
 	bool (*caption)(struct tui *t, const struct area *area);
 
 	/* Its list, for keys and the mouse. */
@@ -58,8 +60,8 @@ struct page_ops {
 	 * axes. */
 	void (*point)(struct tui *t, enum plot_kind kind, double x, double y);
 
-	/* Returns the name of its plot for `describe`, which the caller frees;
-	 * NULL: the curves. */
+	/* Returns the name of its plot for `describe`, which the caller frees.
+	 * If it is NULL, the plot is the curves. */
 	char *(*words)(const struct tui *t);
 };
 
@@ -74,18 +76,19 @@ extern const char *const PAGE_HEADINGS[PAGES];
 const struct page_ops *pages_current(const struct tui *t);
 void pages_go_to(struct tui *t, enum page page);
 
-/* Calls `update` of the open page, see page_ops; does nothing if it has
- * none. */
+/* Updates what is shown besides the prediction: the list of files if it is
+ * open, the response strip and the goal, and the open page (`update` in
+ * page_ops). */
 void pages_update(struct tui *t);
 
 /* Draws a plot in an area, or says why there is none.  A click on it says what
- * is there (see point in page_ops), unless the request names an entry; by
- * default it is of the current site. */
+ * is there (see point in page_ops).  The plot is of the current site unless the
+ * request names an entry; then a click does nothing. */
 void pane_draw_plot(
     struct tui *t, const struct plot_request *request, const struct area *area);
 
 /* Draws curves in the plot area, with a legend below if there is room.  notes:
- * they show what the side panel does not. */
+ * also draw the chart's notes, because no side panel shows what they say. */
 void pane_draw_curves(struct tui *t, struct plot_request *request, bool notes);
 
 /* Returns the name of the curves for `describe`.  The caller frees it. */
@@ -95,22 +98,23 @@ char *pane_curves_plot_name(const struct tui *t);
  * need. */
 struct area pane_list_area(const struct tui *t);
 
-/* pane_hints draws the row of hints, which are separated by two spaces, without
- * any hint that does not fit.  Each begins with the name of its key, or of two:
- * "Up/Down site", in bold; pane_add_hint_clicks lets a click on a name press
- * that key. */
+/* pane_hints draws the row of hints, which are separated by two spaces, up to
+ * the first that does not fit.  Each hint begins with the name of its key, or
+ * of two, in bold: "Up/Down site".  pane_add_hint_clicks lets a click on a name
+ * press that key. */
 void pane_hints(struct tui *t, const char *hints);
 void pane_add_hint_clicks(
     struct tui *t, int row, int column, const char *hints);
 
 /* Draws a line being typed, after its prompt, scrolled to show the cursor.
- * Returns the cursor's column.  from: out, offset of the first byte shown. */
+ * Returns the cursor's column.  Sets *from to the offset of the first byte
+ * shown. */
 int pane_draw_typed_line(const struct area *area, const char *prompt,
     const struct edit *typing, size_t *from);
 
-/* Draws a word being searched for, after "/", with the number found, or NULL,
- * and, if there is room, the keys of the search.  Returns the cursor's
- * column. */
+/* Draws "/" and the word being searched for, then `found`, which says how many
+ * were found, and, if there is room, the keys of the search.  found NULL: only
+ * the word.  Returns the cursor's column. */
 int pane_draw_search_word(struct tui *t, const struct area *area,
     const char *word, const char *found, const char *keys);
 

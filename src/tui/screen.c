@@ -1,5 +1,5 @@
-/* Frames are drawn on a canvas, which ncurses then shows; only that step
- * depends on ncurses.
+/* Draws frames on a canvas, which ncurses then shows.  Only that step depends
+ * on ncurses.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/screen.h"
 
@@ -19,8 +19,8 @@
 #include "cli/restore.h"
 #include "cli/terminal.h"
 
-/* screen: NULL if frames are only drawn, not shown.  frame: the last one, or
- * NULL.  ncurses has state of its own beside this. */
+/* screen: NULL if frames are drawn but not shown.  frame: the last one, or
+ * NULL.  ncurses has state of its own besides this. */
 static struct display {
 	SCREEN *screen;
 	bool utf8, mouse, only_text;
@@ -31,8 +31,8 @@ static struct display {
 	struct canvas *frame;
 } display;
 
-/* Series of one colour share a pair: ncurses would write the colour again from
- * one to the other. */
+/* Series of the same colour share a pair, because ncurses would otherwise write
+ * the colour again between them. */
 static void
 set_curses_colours(bool colour)
 {
@@ -52,7 +52,7 @@ set_curses_colours(bool colour)
 		display.pair[i] = (short)(j + 1);
 		init_pair(display.pair[i], (short)(of % display.depth), -1);
 	}
-	/* From a colour to a pair takes 5 bytes, to no pair at all 11. */
+	/* From one colour to another pair takes 5 bytes, to no pair 11. */
 	bkgdset(' ' | COLOR_PAIR(display.pair[SERIES_TEXT]));
 }
 
@@ -66,7 +66,8 @@ set_terminal_modes(void)
 	nodelay(stdscr, TRUE);
 	meta(stdscr, TRUE);
 	set_escdelay(25);
-	/* What most terminals send, whatever their description says. */
+	/* Sequences that most terminals send, whatever their descriptions
+	 * say. */
 	define_key("\033[1;2D", KEY_SLEFT);
 	define_key("\033[1;2C", KEY_SRIGHT);
 	define_key("\033[1~", KEY_HOME);
@@ -75,11 +76,12 @@ set_terminal_modes(void)
 	define_key("\033[6~", KEY_NPAGE);
 	define_key("\033[200~", SCREEN_PASTE);
 	define_key("\033[201~", SCREEN_PASTED);
-	/* The Linux console's description makes a key of its own of ^Z. */
+	/* The description of the Linux console makes ^Z a key of its own. */
 	define_key("\032", 0);
 }
 
-/* Has the terminal mark pasted text, if it ignores unknown modes. */
+/* Makes the terminal mark pasted text, if it is one that ignores unknown
+ * modes. */
 static void
 set_bracketed_paste(bool on)
 {
@@ -122,8 +124,8 @@ screen_open(bool colour)
 	return true;
 }
 
-/* Where the terminal has no second screen, the picture stays, and the shell
- * continues in a row below. */
+/* Ends ncurses.  If the terminal has no second screen, the picture stays, and
+ * the shell continues in a row below it. */
 static void
 end_curses(void)
 {
@@ -197,8 +199,9 @@ screen_colour_count(void)
 	return display.depth;
 }
 
-/* Returns true if the terminal reports the mouse.  The Linux console says so,
- * but its mouse is that of gpm, which does not report in this way. */
+/* Returns true if the terminal reports the mouse.  The description of the Linux
+ * console says that it does, but its mouse is that of gpm, which does not
+ * report in this way. */
 static bool
 has_mouse_reports(void)
 {
@@ -208,7 +211,8 @@ has_mouse_reports(void)
 	return keys != NULL && keys != (const char *)-1 && keys[0] != '\0';
 }
 
-/* ncurses asks for clicks only: 1002 reports motion while a button is held. */
+/* Mode 1002 reports motion while a button is held; ncurses asks for clicks
+ * only. */
 bool
 screen_set_mouse(bool on)
 {
@@ -256,7 +260,7 @@ screen_resize(void)
 	struct winsize size = {0};
 	if (display.screen == NULL)
 		return;
-	/* Without memory for it, ncurses 6.4 has spoilt the heap. */
+	/* When this runs out of memory, ncurses 6.4 has corrupted the heap. */
 	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 &&
 	    size.ws_col > 0 && resizeterm(size.ws_row, size.ws_col) == ERR)
 		xalloc_fail();
@@ -393,7 +397,8 @@ screen_draw_canvas(const struct area *area, const struct canvas *canvas)
 		}
 }
 
-/* With eight colours, bright ones are bold. */
+/* Returns the attributes of a cell.  With eight colours, bright ones are
+ * bold. */
 static attr_t
 curses_attributes(const struct canvas_cell *cell)
 {
@@ -406,7 +411,8 @@ curses_attributes(const struct canvas_cell *cell)
 	       (faint ? A_DIM : 0) | ((look & LOOK_REVERSE) ? A_REVERSE : 0);
 }
 
-/* Returns a letter without its accent, for a terminal with ASCII alone. */
+/* Returns a letter without its accent, for a terminal with ASCII only; '?' if
+ * there is no such letter. */
 static wchar_t
 letter_without_accent(uint32_t code)
 {
@@ -418,8 +424,8 @@ letter_without_accent(uint32_t code)
 	return capital ? bare - 'a' + 'A' : bare;
 }
 
-/* What is blank was erased; the right half of a wide letter comes with the
- * left. */
+/* Gives ncurses a cell.  Blank cells have been erased; the right half of a wide
+ * letter comes with the left. */
 static void
 add_cell_to_curses(int row, int column)
 {
@@ -437,7 +443,6 @@ add_cell_to_curses(int row, int column)
 	mvadd_wch(row, column, &cell);
 }
 
-/* ncurses finds what has changed. */
 void
 screen_show_frame(int row, int column)
 {

@@ -21,14 +21,14 @@ enum {
 enum { SCREEN_PASTE = 0x7000, SCREEN_PASTED };
 
 /* Takes control of the terminal.  Returns false and changes nothing if ncurses
- * does not know the terminal or it lacks capabilities. */
+ * does not know the terminal, or if it cannot move its cursor. */
 bool screen_open(bool colour);
 void screen_close(void);
 
-/* Between screen_begin_offscreen and screen_end_offscreen, frames are drawn
- * without a terminal, with all characters and in that size.
- * screen_end_offscreen restores the terminal, if any, and returns the last
- * frame, which the caller frees, or NULL without one.  Pairs may be nested. */
+/* Between screen_begin_offscreen and screen_end_offscreen, frames are drawn in
+ * that size without a terminal, with all letters.  screen_end_offscreen
+ * restores the terminal, if any, and returns the last frame, or NULL if none
+ * was drawn; the caller frees it.  Pairs may be nested. */
 struct display;
 struct display *screen_begin_offscreen(
     int rows, int columns, enum charset charset, int depth);
@@ -38,7 +38,7 @@ struct canvas *screen_end_offscreen(struct display *was);
  * reader. */
 void screen_set_text_only(bool on);
 
-/* Returns the last frame, which the screen owns, or NULL. */
+/* Returns the last frame, which the screen owns, or NULL.  For tests. */
 const struct canvas *screen_last_frame(void);
 
 /* Returns the size of the last frame. */
@@ -96,7 +96,8 @@ int screen_draw_wrapped_rows(const struct area *area, int row, int rows,
 /* Clears the area. */
 void screen_clear_area(const struct area *area);
 
-/* Draw a line along the area's row or down a column. */
+/* screen_draw_rule draws a line along the first row of an area;
+ * screen_draw_vertical_rule draws one down a column. */
 void screen_draw_rule(const struct area *area);
 void screen_draw_vertical_rule(int row, int column, int rows);
 

@@ -18,13 +18,13 @@
 #include "tui/watch.h"
 #include "tui/view.h"
 
-/* The keys that are not pressed yet, while there are any. */
+/* The keys not pressed yet, or NULL. */
 static char *keys_left;
-static char *letters; /* of one of them, typed into an answer */
-static bool asks;     /* a question stands on the picture */
+static char *letters; /* of a word that is being typed into an answer */
+static bool asks;     /* the picture shows a question */
 
-/* Does what the loop does between two keys.  The clock advances by a second, so
- * that the same keys give the same picture on any machine. */
+/* Does what the screen's loop does for a key.  The clock advances by a second,
+ * so that the same keys give the same picture on any machine. */
 static void
 press_key_in_script(struct tui *t, int code, bool special)
 {
@@ -36,7 +36,7 @@ press_key_in_script(struct tui *t, int code, bool special)
 		frame_draw(t);
 }
 
-/* Answers with the next key; without one, the picture is that of the
+/* Answers with the next key.  If there is none, the picture shows the
  * question. */
 static bool
 answer_with_next_key(struct tui *t, int *code, bool *special)
@@ -62,7 +62,7 @@ answer_with_next_key(struct tui *t, int *code, bool *special)
 
 const struct tui_callbacks SCRIPT_CALLBACKS = {.answer = answer_with_next_key};
 
-/* Returns true for a word that is typed: a speed, or into a line. */
+/* Returns true for a word that is typed: into a line, or a speed. */
 static bool
 is_typed_word(const struct tui *t, const char *word)
 {
@@ -70,8 +70,8 @@ is_typed_word(const struct tui *t, const char *word)
 	       word[strspn(word, "0123456789.")] == '\0';
 }
 
-/* Removes "*5" from the end of a word and returns how often the key is
- * pressed. */
+/* Removes a count such as "*5" from the end of a word.  Returns how often the
+ * key is to be pressed. */
 static long
 parse_repeat_count(char *word)
 {
@@ -85,7 +85,8 @@ parse_repeat_count(char *word)
 	return n;
 }
 
-/* Counts the keys, because each draws a frame and may need a prediction. */
+/* Counts the keys pressed and limits them, because each draws a frame and may
+ * need a prediction. */
 static bool
 count_pressed_keys(const char *word, long n, long *pressed, struct error *error)
 {
@@ -162,8 +163,8 @@ plot_name_of_page(const struct tui *t)
 			       : pane_curves_plot_name(t);
 }
 
-/* Draws the open screen and leaves it as it was.  During a script, what it
- * showed may be gone. */
+/* Draws the open screen and leaves it as it was.  During a script, it is
+ * brought up to date first, because what it showed may be gone. */
 static bool
 draw_open_screen(struct screen_request *request, struct error *error)
 {
@@ -215,8 +216,8 @@ draw_new_screen(
 	bool ok = press_all_keys(&t, request->keys, error);
 	if (ok && request->words && t.viewer.text == NULL)
 		request->picture = plot_name_of_page(&t);
-	/* While the output is still captured: what an ending search says is no
-	 * part of the picture. */
+	/* While output is still captured: what a search prints when it ends is
+	 * not part of the picture. */
 	tui_stop_fit(&t);
 	control_close_screen(&t);
 	return ok;

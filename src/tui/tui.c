@@ -1,4 +1,5 @@
-/* The full screen's loop: waits, takes keys, moves the session, draws.
+/* The loop of the full screen: draws, waits, handles keys, and runs what is
+ * due.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/tui.h"
 
@@ -27,11 +28,12 @@
 #include "tui/word.h"
 #include "tui/view.h"
 
-/* What is pasted has ended where nothing more came for so long, s. */
+/* Pasted text has ended when nothing more has come for so long, s. */
 static const double PASTE_PAUSE = 2;
 
-/* Returns how long to wait, s, for the next generation that is due or the end
- * of pasted text; INFINITY: until something happens. */
+/* Returns how long to wait, s, for the next thing that is due: a generation, a
+ * part of the strip, a held key or the end of pasted text.  INFINITY: until
+ * something happens. */
 static double
 seconds_to_wait(const struct tui *t)
 {
@@ -47,7 +49,8 @@ seconds_to_wait(const struct tui *t)
 	return left > 0 && !t->put_back.is ? left : 0;
 }
 
-/* A child process is stopped with us, as the shell waits for both. */
+/* Leaves the terminal to another program.  ^Z then stops that too, because the
+ * shell waits for both. */
 static void
 leave_screen(struct tui *t)
 {
@@ -78,7 +81,7 @@ suspend_program(struct tui *t)
 	t->started += session_clock() - left;
 }
 
-/* Handles all that was typed and dragged, so that only the newest speed is
+/* Handles everything typed and dragged so far, so that only the newest speed is
  * predicted. */
 static void
 handle_typed_keys(struct tui *t)
@@ -92,13 +95,13 @@ handle_typed_keys(struct tui *t)
 	}
 	if (word_delay_left_s(t) <= 0)
 		keymap_run_delayed_key(t);
-	/* The end of the paste never came: what is typed is keys again. */
+	/* The end mark of the paste never came: what is typed is keys again. */
 	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
 		input_end_paste(t);
 }
 
-/* A terminal that was closed under the program without a hang-up: reading it
- * would go round for ever. */
+/* Ends the program if its terminal was closed without a hang-up, because
+ * reading it would go on for ever. */
 static void
 end_if_terminal_is_gone(void)
 {
@@ -127,7 +130,7 @@ draw_and_wait(struct tui *t)
 		screen_resize();
 }
 
-/* Returns false on a signal. */
+/* Waits for a key that answers a question.  Returns false on a signal. */
 static bool
 wait_for_answer_key(struct tui *t, int *code, bool *special)
 {
@@ -146,8 +149,8 @@ wait_for_answer_key(struct tui *t, int *code, bool *special)
 	return done;
 }
 
-/* Returns true if Esc or ^C was pressed; other keys that were pressed meanwhile
- * are lost. */
+/* Returns true if Esc or ^C was pressed.  Other keys pressed meanwhile are
+ * lost. */
 static bool
 is_stop_key_pressed(struct tui *t)
 {
@@ -176,7 +179,7 @@ run_screen_loop(struct tui *t)
 	}
 }
 
-/* man(1) wants the terminal for itself. */
+/* Leaves the terminal to man(1), which needs it for itself. */
 static bool
 show_manual_page(const char *page)
 {
@@ -194,8 +197,8 @@ tui_run(struct session *s)
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_history_is_open();
-	/* If the history cannot be kept, that is printed before ncurses
-	 * starts. */
+	/* Before ncurses starts, because it may print that the history cannot
+	 * be kept. */
 	if (!history)
 		typed_history_open(!s->safe);
 	restore_record_settings();

@@ -5,9 +5,9 @@
 
 #include "cmd/session/session.h"
 
-/* Runs the full screen until the user quits.  If the terminal cannot show it,
- * prints a note and returns.  Returns the exit status: 0, or that of a signal,
- * see signals_exit_status. */
+/* Runs the full screen until the user quits.  Returns the exit status: 0, that
+ * of a signal (see signals_exit_status), or, if the terminal cannot show the
+ * screen, ERROR_SYSTEM after a note. */
 int tui_run(struct session *s);
 
 #endif

@@ -125,8 +125,9 @@ tui_feed_curve(const struct tui *t)
 	    tui_entry_for_prediction(t)->site, tui_feed_run(t));
 }
 
-/* What measured products are moved by: the parameters of the prediction beside
- * them, in room for them; or NULL. */
+/* Returns the parameters by which measured products are moved to the feed, or
+ * NULL.  They are those of the prediction shown beside them, and are written to
+ * `room`. */
 static const struct params *
 params_moving_products(const struct tui *t, struct params *room)
 {
@@ -184,7 +185,7 @@ tui_options_at_slider(const struct tui *t)
 	FREED char *at =
 	    turns ? xasprintf("speed=%drpm", position)
 		  : xasprintf(tenth ? "speed=%.1f" : "speed=%g", speed);
-	/* A sheet that is set, but cannot be read. */
+	/* True if `set feed` names a sheet that cannot be read. */
 	bool mean = !(t->ui.feed > 0) && tui_entry_for_prediction(t) == entry &&
 		    t->session->set.feed[0] != '\0' &&
 		    strcmp(t->session->set.feed, "mean") != 0;

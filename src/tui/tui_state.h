@@ -23,20 +23,22 @@
 #include "tui/hits.h"
 #include "tui/widgets/edit.h"
 
-/* The numbers of a prediction, for showing differences: P20, P50, P80 and the
- * break size, mm; passing at NUMBERS_SIEVE, %, NAN outside its sieves. */
+/* The numbers of a prediction, for showing differences.  site: the key of its
+ * site, or "" for no prediction.  speed: m/s.  size: P20, P50 and P80, mm.
+ * passing: at NUMBERS_SIEVE, %; NAN outside the product's sieves. */
 enum { NUMBERS_FRACTIONS = 3 };
-/* Sieves that sand is sold by, m. */
+/* The sieves by which sand is sold, m. */
 extern const double NUMBERS_SIEVE[NUMBERS_FRACTIONS];
 struct numbers {
 	char site[64];
 	double speed, size[3], break_mm, passing[NUMBERS_FRACTIONS];
 };
 
-/* Text on the whole screen, shown from line `top` and column `left`.  text
- * NULL: none; line [lines]: its lines, owned.  keys: it is the list of keys
- * that match the word; the key `at` can be run.  In other text, `at` is the
- * line in which the word was found. */
+/* Text on the whole screen, shown from line `top` and column `left`; text is
+ * NULL if none is shown.  line [lines]: its lines, owned.  columns: the width
+ * of the widest.  keys: the text is the list of keys that match the word, and
+ * the key `at` can be run.  In other text, `at` is the line in which the word
+ * was found, or -1. */
 struct viewer {
 	char *text, **line;
 	int top, lines, left, columns;
@@ -45,16 +47,16 @@ struct viewer {
 	struct edit word;
 };
 
-/* Number of plots in a frame that react to the mouse. */
+/* Maximum number of plots in a frame that react to the mouse. */
 enum { PLOTS_DRAWN = 4 };
 
-/* Maximum letters in such a word, and in a typed speed. */
+/* Maximum letters in a word to search for, and in a typed speed. */
 enum { VIEWER_WORD = 31, SPEED_LETTERS = 12 };
 
-/* A loaded site, an entry of the session, at the slider's speed.  p50: mm;
- * beyond: outside the training speeds; holdout: RMSE at held-out speeds,
- * points, or NAN; light: of its parameters, if has_light; verdict: on the
- * site's own fit, or NULL. */
+/* A row of page Sites.  entry: the index of its site in the session.  verdict:
+ * on the site's own fit, or NULL.  p50: at the slider's speed, mm.  beyond:
+ * that speed is outside the training speeds.  holdout: RMSE at held-out speeds,
+ * points, or NAN.  light: how far to trust its parameters, if has_light. */
 struct site_row {
 	size_t entry;
 	const char *verdict;
@@ -63,9 +65,10 @@ struct site_row {
 	enum light light;
 };
 
-/* The sheet on the page Data: its sieves, m; its columns, each the feed or
- * product of a run; the digits that its cells need; and the findings, once
- * computed (looked). */
+/* The sheet on page Data.  sieve [n]: its sieves, m.  column: each is the feed
+ * or the product of a run.  digits: the decimals that its cells need.  width:
+ * of a column.  looked: doctor has the doubtful cells.  calibrated: they were
+ * judged by a calibration, too. */
 struct sheet_column {
 	bool feed;
 	size_t run;
@@ -81,9 +84,9 @@ struct sheet {
 	struct outlier_findings doctor;
 };
 
-/* The held-out runs of all sites on the page Parity, compared site by site.
- * next: the site to compare next, or n_entry when done; chart: the plot; error:
- * why there is none. */
+/* The held-out runs of all sites on page Parity, compared site by site.  next:
+ * the site to compare next, or n_entry when done; chart: the plot; error: why
+ * there is none. */
 struct parity {
 	size_t next;
 	struct trials runs;
@@ -117,7 +120,8 @@ struct list {
 };
 
 /* The list of files to open, over the page.  rows: the list as rows; word: a
- * filter for files; preview: that of the item `previewed`; SIZE_MAX: none. */
+ * filter for files; preview: the preview of item `previewed`, which is SIZE_MAX
+ * if there is none. */
 struct picker {
 	bool on;
 	enum picker_list what;
@@ -147,37 +151,38 @@ struct tui_callbacks {
 	bool (*stopped)(struct tui *t);
 };
 
-/* The user's choices only, nothing computed or owned: a frame drawn apart from
- * the open screen starts with a copy. */
+/* The user's choices, with nothing computed or owned, so that they can be
+ * copied and put back. */
 struct ui {
 	enum page page;
-	double
-	    speed;   /* m/s: the slider was moved to it, see tui_slider_speed */
-	double feed; /* m/s of the run whose feed is used; 0: the mean */
+	double speed; /* m/s; see tui_slider_speed */
+	double feed;  /* m/s of the run whose feed is used; 0: the mean */
 	struct quantity quantity; /* above the track */
 	bool quantity_of_goal;    /* it follows the goal's limit */
-	/* Page Predict has plot runs; the goal at full height. */
+	/* What page Predict shows.  runs: the plot of all runs; goal_view: the
+	 * goal at full height. */
 	bool crosshair, band, runs, goal_view;
 	size_t crosshair_sieve; /* a sieve of the prediction */
 	int crosshair_passing;  /* %, at which the crosshair reads sizes */
-	enum plot_kind picture; /* on the page Fit */
+	enum plot_kind picture; /* on page Fit */
 	int pace;               /* index of PACES */
 	size_t generation;      /* shown, 1..; 0: the latest */
-	size_t param_at;        /* chosen on the page Fit, 1..; 0: none */
-	/* On the page Data: the cell of the cursor, if shown (on), and the
-	 * first cell shown. */
+	size_t param_at;        /* chosen on page Fit, 1..; 0: none */
+	/* On page Data: the cell under the cursor (row and column `at`), if the
+	 * cursor is shown (on), and the first cell shown. */
 	struct {
 		bool on;
 		size_t row, at, top, left;
 	} cell;
-	/* For the pages' lists; on the page Sites, `at` is a site. */
+	/* The cursors of the pages' lists; on page Sites, `at` is an entry of
+	 * the session. */
 	struct list list[PAGES];
 	int sort; /* order of sites: 1 + a column; 0: as loaded */
 	bool sort_down;
 };
 
-/* Everything but speed and feed on which a prediction depends: while it is
- * unchanged, so are the answers.  origin: a share in it. */
+/* What a prediction depends on besides speed and feed: while it is unchanged,
+ * so are the answers.  origin: held until origin_release. */
 struct fit_record {
 	const struct site *site;
 	struct origin *origin;
@@ -185,17 +190,18 @@ struct fit_record {
 	struct settings set;
 };
 
-/* Everything on which a prediction depends.  basis: number of its basis;
- * generation: in a running search, which has its own parameters; speed: m/s; 0:
- * no prediction. */
+/* Everything that a prediction depends on.  basis: the view's n_basis.  feed:
+ * the run whose feed is used.  generation: of a running search, which has its
+ * own parameters; else 0.  speed: m/s, or 0 for no prediction. */
 struct prediction_key {
 	size_t basis, feed, generation;
 	double speed;
 };
 
 /* The quantity above the track at n speeds, m/s, from the slowest of the slider
- * to the fastest: value and the ends of its band, as shown, NAN without a band.
- * of, basis, feed: what it was computed for. */
+ * to the fastest.  value: its value and the ends of its band, in the unit
+ * shown; the ends are NAN without a band.  of, basis, feed: what it was
+ * computed for. */
 enum { STRIP_POINTS = 41 };
 struct strip {
 	struct quantity of;
@@ -212,24 +218,25 @@ struct view {
 	struct prediction_key of;
 	double moved;            /* when the slider was last moved */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
-	bool from_search;        /* it is of a search that still runs */
-	bool light_known;        /* light is for it, see panel.c */
+	bool from_search;        /* it comes from a running search */
+	bool light_known;        /* light is that of `shown` */
 	struct trust light;
 	struct numbers current, reference, pinned; /* site "": none */
 	double holdout;     /* RMSE for the current site, points, or NAN */
 	struct strip strip; /* the response strip */
 	struct goal goal;   /* from `set goal`, see goals.h */
 	struct envelope_check *envelope_check; /* owned, or NULL */
-	struct sheet sheet;                    /* for the page Data */
-	struct parity parity;                  /* for the page Parity */
-	struct site_row *row; /* [n_row] for the page Sites, as sorted, owned */
+	struct sheet sheet;                    /* for page Data */
+	struct parity parity;                  /* for page Parity */
+	struct site_row *row; /* [n_row] for page Sites, as sorted, owned */
 	size_t n_row;
 	int site_width[LIST_COLUMNS]; /* width of each column's texts */
 	double rows_at; /* speed of these rows, m/s; 0: out of date */
 };
 
-/* A letter that may begin a word, see word.h.  held: its key, which has not
- * acted yet; was: the choices before that. */
+/* A letter that may begin the name of a command, see word.h.  at: when it was
+ * typed, s.  held: its key, if that has not acted yet, or NULL.  was: the
+ * user's choices before the letter. */
 struct held_letter {
 	char letter;
 	double at;
@@ -247,25 +254,25 @@ struct tui {
 	bool aside;           /* drawn without a terminal */
 	bool away;            /* another program has the terminal */
 	double clock;         /* s; if aside, advances with every key */
-	double started;       /* start of the search or its last part, on that
-			  * clock */
-	double ran;           /* s spent in its earlier parts */
-	bool goal_field; /* the typed line is a goal; fresh: still unedited */
+	double started;       /* when the search began or was last continued */
+	double ran;           /* s that it had run before */
+	bool goal_field; /* the line typed is a goal; goal_fresh: unedited */
 	bool goal_fresh;
 	/* A key that waits for the goal's speeds, or NULL, and the slider's
 	 * position when it was pressed. */
 	const struct key *pending_key;
 	double pending_from;
 	bool mouse;
-	struct hits hits;                       /* in the frame shown */
-	struct plot_request drawn[PLOTS_DRAWN]; /* its plots */
+	struct hits hits; /* in the frame shown */
+	/* plots in it that react to the mouse */
+	struct plot_request drawn[PLOTS_DRAWN];
 	size_t n_drawn;
-	char *running_line;    /* running line, or NULL */
+	char *running_line;    /* the line being run, or NULL */
 	bool of_script;        /* the line is from a script */
 	bool stopping;         /* a key is stopping it */
 	double ran_from;       /* start of the line or its script, s */
 	double drawn_at;       /* when running_line was last drawn */
-	const char *computing; /* lengthy computation in progress, or NULL */
+	const char *computing; /* the long computation in progress, or NULL */
 	bool held;             /* the calibration is paused */
 	double due;            /* time of the next generation */
 	struct edit line;      /* a command, or a goal */
@@ -273,23 +280,23 @@ struct tui {
 	struct edit filter; /* filter for the rows of a list */
 	struct held_letter word;
 	struct paste paste;
-	double pasted; /* time of its last character */
+	double pasted; /* when its last character came */
 	struct viewer viewer;
 	char *closed; /* the text last closed, or NULL */
 	struct picker picker;
 	char *command;   /* last command, for display */
 	const char *job; /* command that started the job, or NULL */
-	bool failed;     /* that command failed */
+	bool failed;     /* the last command failed */
 	char message[800];
 	bool bad; /* the message is an error */
 	/* The next prediction keeps the message, which is from the command that
 	 * moved the slider. */
 	bool keep_message;
 	bool reason_shown;    /* the panel shows the light's reason */
-	const char *question; /* waiting for an answer, or NULL */
+	const char *question; /* waiting for yes or no, or NULL */
 	const struct user_question *inquiry; /* waiting for a line, or NULL */
-	struct edit answer;                  /* that line */
-	int inquiry_up; /* rows by which its table is scrolled */
+	struct edit answer;                  /* the line typed for it */
+	int inquiry_up; /* rows by which its table is scrolled up */
 	struct {
 		bool is, special;
 		int code;
@@ -308,7 +315,8 @@ struct tui {
 	} before;
 };
 
-/* Paces of the search, generations per second; the last is full speed. */
+/* Paces of the search: indices of PACES, which has generations per second; the
+ * last is full speed. */
 enum {
 	PACE_AUTO, /* slow while the best improves fast */
 	PACE_USUAL = 5,
@@ -334,30 +342,31 @@ size_t tui_generation_without_polish(const struct tui *t);
 /* Returns how long the current search has run, s, without pauses. */
 double tui_search_seconds(const struct tui *t);
 
-/* Returns the current site, or NULL. */
+/* Returns the entry of the current site, or NULL. */
 const struct entry *tui_current_entry(const struct tui *t);
 
-/* Returns its site, or NULL; and the diameter of its rotor, m, or 0. */
+/* tui_site returns the current site, or NULL; tui_known_rotor returns the
+ * diameter of its rotor, m, or 0 if it is not known. */
 const struct site *tui_site(const struct tui *t);
 double tui_known_rotor(const struct tui *t);
 
-/* Returns the current site as used for the slider's predictions, or NULL: with
- * the feed from the sheet in `set feed`, unless a run's feed is used. */
+/* Returns the entry that the slider's predictions use, or NULL: the current
+ * site or, if `set feed` is a sheet and no run's feed is used, a copy of it
+ * with that feed. */
 const struct entry *tui_entry_for_prediction(const struct tui *t);
 
-/* The first step if no site is loaded; tui_why_no_prediction returns why there
- * is no prediction. */
+/* TUI_NO_SITE says what to do if no site is loaded; tui_why_no_prediction
+ * returns why there is no prediction. */
 #define TUI_NO_SITE N_("no site is loaded: o opens a sheet")
 const char *tui_why_no_prediction(const struct tui *t);
 
 /* Returns the range of the slider for the site. */
 struct slider_range tui_slider_range(const struct tui *t);
 
-/* tui_move_slider_to moves the slider to a speed, m/s; tui_step_slider_to to a
- * position, or where the rotor is known to the speed that was measured there,
- * which may be whole rpm.  tui_slider_speed returns the speed at which it is:
- * that of its position, but where the rotor is known that which it was moved
- * to. */
+/* tui_move_slider_to moves the slider to a speed, m/s.  tui_step_slider_to
+ * moves it to a position or, if the rotor is known, to the exact speed of a run
+ * at that position.  tui_slider_speed returns its speed, m/s: that of its
+ * position or, if the rotor is known, the one it was moved to. */
 void tui_move_slider_to(struct tui *t, double speed);
 void tui_step_slider_to(struct tui *t, int position);
 double tui_slider_speed(const struct tui *t);
@@ -367,10 +376,10 @@ int tui_slider_position(const struct tui *t);
 const struct site *tui_pinned_site(const struct tui *t);
 
 /* The feed for the slider's predictions is the same at all speeds, so that only
- * the speed changes them.  tui_feed_run returns its run: that of the last
- * prediction if it used a run's feed, or else that of `set feed`; for a sheet,
- * see tui_entry_for_prediction.  tui_feed_curve returns its curve.  The others
- * set it by the last prediction, or by `set feed`. */
+ * the speed changes them.  tui_feed_run returns the run that it is from: that
+ * of the last prediction if it used a run's feed, or else that of `set feed`;
+ * for a sheet, see tui_entry_for_prediction.  tui_feed_curve returns its curve.
+ * The others set it by the last prediction, or by `set feed`. */
 size_t tui_feed_run(const struct tui *t);
 const struct psd *tui_feed_curve(const struct tui *t);
 void tui_set_feed_from_answer(struct tui *t);

@@ -1,4 +1,4 @@
-/* Makes the prediction for the full screen, and decides when to make it again.
+/* Makes the prediction for the full screen, and decides when to make it anew.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/view.h"
 
@@ -19,7 +19,8 @@
 #include "tui/widgets/envelope_check.h"
 #include "tui/widgets/track.h"
 
-/* A slider that stood still for so long has paused, s. */
+/* If the slider has not been moved for so long, s, its next move begins a new
+ * comparison. */
 static const double PAUSE = 0.7;
 
 /* Returns the numbers of a prediction for the site with that key. */
@@ -41,7 +42,7 @@ numbers_of_prediction(const char *key, const struct prediction *p)
 	return n;
 }
 
-/* Takes over the prediction that the session has pinned. */
+/* Copies the numbers of the session's pinned prediction. */
 static void
 copy_pinned_numbers(struct tui *t)
 {
@@ -66,8 +67,8 @@ forget_prediction(struct tui *t)
 	t->view.of = (struct prediction_key){0};
 }
 
-/* Notes the basis and, if it is another one, discards what was computed for the
- * last. */
+/* Records what predictions depend on (struct fit_record) and, if that has
+ * changed, discards what was computed from it. */
 static void
 discard_if_basis_changed(struct tui *t)
 {
@@ -147,7 +148,8 @@ view_predict_at_slider(struct tui *t)
 	if ((!entry->has_params && !forming) ||
 	    (!other && !moved && was.basis == key.basis))
 		return;
-	/* Changes are not counted from what a search had on its way. */
+	/* Differences are not computed from a prediction of a running
+	 * search. */
 	if (!t->view.from_search &&
 	    (t->clock - t->view.moved > PAUSE ||
 		t->view.reference.site[0] == '\0' ||

@@ -6,7 +6,8 @@
 
 #include "tui/tui_state.h"
 
-/* Updates the basis after anything that may have changed the session. */
+/* Must be called after anything that may have changed the session.  Discards
+ * the results that are then out of date. */
 void view_mark_changed(struct tui *t);
 
 /* Computes the content of a frame: the prediction at the slider's speed, which
@@ -17,8 +18,8 @@ void view_update(struct tui *t);
 /* Computes the prediction alone. */
 void view_predict_at_slider(struct tui *t);
 
-/* As view_predict_at_slider, but without an answer for the session, until the
- * next. */
+/* As view_predict_at_slider, but does not make the prediction the session's
+ * answer.  It is shown until the next one. */
 void view_predict_unrecorded(struct tui *t);
 
 void view_free(struct tui *t);

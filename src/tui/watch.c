@@ -1,5 +1,5 @@
-/* Runs generations at the chosen pace, or by the gain of the last one, and
- * shows the result of the search.
+/* Runs generations at the chosen pace or, at pace auto, by the gain of the last
+ * one, and shows the result of the search.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/watch.h"
 
@@ -11,8 +11,8 @@
 #include "cli/signals.h"
 #include "tui/captured.h"
 
-/* What is said of a stopped calibration, by its outcome: by itself, and after
- * the output of the line that stopped it. */
+/* Messages about a stopped calibration, by its outcome.  all: by itself;
+ * behind: after the output of the line that stopped it. */
 static const struct {
 	const char *all, *behind;
 } STOPS[] = {
@@ -80,7 +80,6 @@ report_fit_end(struct tui *t, bool alone)
 		    100 * entry->fit.rmse, entry->fit.generations);
 }
 
-/* Ends a job and shows its result. */
 static void
 end_job_and_show_result(struct tui *t, const struct job_type *type)
 {
@@ -101,7 +100,7 @@ end_job_and_show_result(struct tui *t, const struct job_type *type)
 	}
 }
 
-/* Returns true after a search, while the posterior is drawn from. */
+/* Returns true while the posterior is sampled, after the search. */
 static bool
 is_sampling_posterior(const struct session *s)
 {
@@ -134,7 +133,8 @@ watch_run_fit_step(struct tui *t)
 		end_job_and_show_result(t, type);
 }
 
-/* Returns the generations per second: fewer after one that gained much. */
+/* Returns how many generations to run per second: at pace auto, fewer after a
+ * generation that gained much. */
 static double
 generations_per_second(const struct tui *t)
 {
@@ -158,7 +158,8 @@ watch_run_due_fit_steps(struct tui *t)
 	if (!session_is_calibrating(s) || t->held)
 		return;
 	double began = session_clock();
-	/* The generations of several calibrations in turn are not watched. */
+	/* If several sites are calibrated in turn, nobody watches the
+	 * generations, so they need no pace. */
 	const struct job_type *type = s->job.type;
 	int pace =
 	    type->alone && !is_sampling_posterior(s) ? t->ui.pace : PACE_FULL;
@@ -166,7 +167,7 @@ watch_run_due_fit_steps(struct tui *t)
 	if (pace < PACE_FULL && t->clock < t->due)
 		return;
 	do {
-		/* The output of a task is no part of the result. */
+		/* The output of a single task is not part of the result. */
 		if (type->task_words != NULL)
 			captured_discard_output(t);
 		session_step_job(s);

@@ -1,6 +1,6 @@
-/* Command names typed where letters are keys.  A letter that does more than
- * move waits for a moment: if the next letter continues the name of a command,
- * neither acts as a key.
+/* Command names typed where letters are keys.  A letter whose key does more
+ * than move waits for a moment: if the next letter continues the name of a
+ * command, neither acts as a key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/word.h"
 
@@ -9,7 +9,8 @@
 #include "base/xalloc.h"
 #include "cmd/lang/command.h"
 
-/* The letters of a word come within this time, s; single keys seldom do. */
+/* The letters of a word follow each other within this time, s; single keys
+ * seldom do. */
 static const double GAP = 0.25;
 
 static bool

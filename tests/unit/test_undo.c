@@ -247,6 +247,25 @@ undo_lets_go_of_a_stopped_calibration(void **state)
 	}
 }
 
+/* A worse one that was stopped left everything as it was. */
+static void
+undo_discards_a_stopped_calibration_that_was_held_back(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	desk_expect(desk, "calibrate population=64; "
+			  "calibrate population=64 seed=2 pause=1");
+	struct fit fit = session_current_entry(s)->fit;
+	size_t steps = undo_count_steps(s);
+	desk_expect(desk, "undo");
+	assert_non_null(strstr(desk->notes, "it cannot be continued"));
+	assert_true(fits_are_equal(&session_current_entry(s)->fit, &fit));
+	assert_int_equal(undo_count_steps(s), steps);
+	desk_expect(desk, "calibrate population=64 seed=2 pause=1; seed 3; "
+			  "undo; undo; undo");
+	assert_false(session_current_entry(s)->has_fit);
+}
+
 /* As a driver may do between two steps. */
 static void
 undo_ends_a_running_calibration(void **state)
@@ -315,6 +334,7 @@ main(void)
 	    at_desk(undo_gives_back_the_former_fit),
 	    at_desk(a_continued_fit_is_one_step),
 	    at_desk(undo_lets_go_of_a_stopped_calibration),
+	    at_desk(undo_discards_a_stopped_calibration_that_was_held_back),
 	    at_desk(undo_ends_a_running_calibration),
 	    at_desk(undo_forgets_the_answers),
 	    at_desk(steps_within_lines_that_make_none_push_out_the_oldest),

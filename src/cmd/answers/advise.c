@@ -1,4 +1,4 @@
-/* advise: the next sample that would narrow the band of an answer most.
+/* advise: the next sample that would most narrow the band of an answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/answers/advise.h"
 
@@ -21,10 +21,9 @@
 #include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
-/* What is asked: the question, the quantity, its name, and the unit that
- * follows a width; and what follows: the draws of the quantity, in the units
- * that people see, the ends and the width of their band, and its width if the
- * stated speeds were exact. */
+/* What is asked: the question, the quantity, its name, and the unit of widths.
+ * What is computed: the draws of the quantity, in the unit shown, the ends and
+ * the width of their band, and its width if the stated speeds were exact. */
 struct advice_request {
 	const struct question *question;
 	struct quantity q;
@@ -33,9 +32,9 @@ struct advice_request {
 	double draw[POSTERIOR_DRAWS], ends[2], width, exact_width;
 };
 
-/* Takes out of a row of draws what it has in common with their errors of the
- * stated speeds: the speed of another sample has an error of its own, so it
- * tells nothing of theirs. */
+/* Subtracts from a row of draws the part that is proportional to the errors of
+ * the stated speeds.  Another sample says nothing about these errors, because
+ * its own speed has a different one. */
 static void
 remove_speed_errors_of_draws(double *row)
 {
@@ -56,8 +55,8 @@ width_of_band(const double *draw, double level, double ends[static 2])
 	return ends[1] - ends[0];
 }
 
-/* Finds the draws of the answer and their band.  False if one lies outside the
- * sieves. */
+/* Finds the draws of the answer and their band.  Returns false if a draw lies
+ * outside the sieves. */
 static bool
 find_band_of_quantity(const struct session *s, struct advice_request *w)
 {
@@ -95,7 +94,8 @@ add_candidate_speed(
 }
 
 /* Returns the speeds to consider: a repeat at each measured speed, the speed
- * asked about and round ones.  *n: how many; the caller frees them. */
+ * asked about, and round speeds.  Sets *n to their number.  The caller frees
+ * them. */
 static struct sample_advice *
 list_candidate_speeds(
     const struct session *s, const struct site *site, double asked, size_t *n)
@@ -121,8 +121,8 @@ compare_band_widths(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* Returns a forecast of samples at the sieves of the site's products that the
- * feed covers; *n: how many sieves. */
+/* Returns a forecast of the passings at those sieves of the site that the feed
+ * covers.  Sets *n to the number of sieves. */
 static struct forecast *
 open_sample_forecast(
     const struct session *s, const struct question *q, size_t *n)
@@ -163,8 +163,8 @@ sort_by_expected_band_width(const struct session *s,
 	qsort(c, n, sizeof *c, compare_band_widths);
 }
 
-/* Warns if each run has a feed of its own, because the product is then as
- * uncertain as the feed. */
+/* Says how far the quantity varies with the feeds of the runs, if they differ:
+ * the product is then as uncertain as the feed. */
 static void
 warn_of_range_over_feeds(
     struct answer *r, const struct session *s, const struct advice_request *w)
@@ -213,8 +213,8 @@ note_best_sample_speed(struct answer *r, const struct advice_request *w,
 		    best->width, w->unit, less);
 }
 
-/* Says what exact tip speeds would do, if that is more than the best sample
- * does. */
+/* Says how far exact tip speeds would narrow the band, if further than the best
+ * sample does. */
 static void
 note_exact_speeds(struct answer *r, const struct session *s,
     const struct advice_request *w, const struct sample_advice *best)
@@ -228,8 +228,8 @@ note_exact_speeds(struct answer *r, const struct session *s,
 		    100 * (1 - w->exact_width / w->width));
 }
 
-/* Returns the candidates, best first; *n: how many.  Returns NULL if there is
- * no band to narrow.  The caller frees them. */
+/* Returns the candidates, best first, and sets *n to their number.  Returns
+ * NULL if there is no band to narrow.  The caller frees them. */
 static struct sample_advice *
 rank_candidate_speeds(
     const struct session *s, const struct advice_request *w, size_t *n)
@@ -305,7 +305,7 @@ build_sampling_answer(const struct session *s, const struct advice_request *w)
 	return r;
 }
 
-/* Reads the quantity that is named, otherwise P80. */
+/* Reads the quantity of of=; by default it is P80. */
 static bool
 parse_quantity_or_p80(
     const struct args *args, struct advice_request *w, struct error *error)

@@ -21,8 +21,8 @@ const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
     {"extrapolated", "predict", "extrapolated"},
     {"inside", "spec find", "inside"}};
 
-/* Finds the value of a name, or of any field written as COMMAND.FIELD.  False
- * if the word is neither. */
+/* Finds the value of a name in ANSWERS_NAMES or of a field written as
+ * COMMAND.FIELD.  Returns false if the word is neither. */
 static bool
 find_asserted_value(const struct session *s, const char *word, double *value)
 {
@@ -90,7 +90,7 @@ compare_asserted_values(const char *op, double a, double b, double within)
 	return -1;
 }
 
-/* Checks "FILE is DIGEST": that the file has not changed. */
+/* Checks for "assert FILE is DIGEST" that the file has not changed. */
 static bool
 check_file_digest(const struct session *s, const char *path, const char *wanted,
     struct error *error)

@@ -1,4 +1,4 @@
-/* card: the sheet of speeds and products for the operator.
+/* card: a page for the operator with the products at several speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -25,15 +25,15 @@
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
-/* What is answered at every speed: P20, P50 and P80, then the user's figures;
- * whether the limits are met; and tonnes.  ranged: the index of the figure
- * whose range a page has room for. */
+/* What the card shows at each speed: P20, P50 and P80, then the user's figures;
+ * whether the limits are met; and tonnes.  ranged: the index of the one figure
+ * whose range is shown, as a page has no room for more. */
 struct card_request {
 	const struct question *question;
 	size_t n, ranged;
 	struct quantity *q;
 	struct forecast *forecast;
-	struct forecast *cut; /* of the ranged figure, in a new belt cut */
+	struct forecast *cut;       /* the ranged figure, for new belt cuts */
 	struct condition_list list; /* limits of the product, or none */
 	bool of_goal; /* the limits are those of the session's goal */
 	struct conditions_search wanted;
@@ -57,7 +57,7 @@ add_card_quantity(struct card_request *all, struct quantity q)
 	return at;
 }
 
-/* Adds the quantities of a text.  The first of them has its range shown. */
+/* Adds the quantities named in a text.  The range of the first one is shown. */
 static bool
 parse_card_quantities(struct card_request *all, const char *text,
     const struct psd *feed, struct error *error)
@@ -72,8 +72,8 @@ parse_card_quantities(struct card_request *all, const char *text,
 	return q != NULL;
 }
 
-/* Adds two passings: of the site's sieve nearest to 2 mm, and the fines or, if
- * the feed does not cover them, of the finest sieve. */
+/* Adds two passings: at the feed's sieve nearest to 2 mm, and at the size of
+ * fines or, if the feed does not cover it, at the finest sieve. */
 static void
 add_usual_card_passings(struct card_request *all, const struct psd *feed)
 {
@@ -84,7 +84,8 @@ add_usual_card_passings(struct card_request *all, const struct psd *feed)
 	for (size_t i = 1; i < feed->n; i++)
 		if (fabs(log(feed->size[i] / 2e-3)) < fabs(log(near / 2e-3)))
 			near = feed->size[i];
-	/* The same number as that of a limit in mm. */
+	/* Rounded as a limit that is typed in mm, so that the two compare
+	 * equal. */
 	q.x = units_mm(near) / 1000;
 	all->ranged = add_card_quantity(all, q);
 	q.x = fines ? QUANTITIES_FINES : units_mm(finest) / 1000;
@@ -105,7 +106,7 @@ card_request_free(struct card_request *all)
 	forecast_close(all->cut);
 }
 
-/* Reads the plant if the new feed or a circuit is given. */
+/* Reads the plant if the call has tph= or circuit=. */
 static bool
 parse_plant_if_asked(struct session *s, struct card_request *all,
     const struct args *args, struct error *error)
@@ -124,8 +125,8 @@ parse_plant_if_asked(struct session *s, struct card_request *all,
 	return true;
 }
 
-/* Solves the circuit once, because only that gives the names of the
- * products. */
+/* Solves the circuit once at a speed, because the names of its products are not
+ * known before. */
 static bool
 solve_for_stream_names(
     struct card_request *all, double speed, struct error *error)
@@ -141,8 +142,8 @@ solve_for_stream_names(
 	return ok;
 }
 
-/* Takes the limits of the session's goal if the line has none.  A goal that is
- * a value is left to find. */
+/* Takes the limits of the session's goal if the call has none.  A goal with a
+ * single value is for find, and gives no limits. */
 static bool
 take_session_goal_limits(
     struct session *s, struct card_request *all, struct error *error)
@@ -158,8 +159,8 @@ take_session_goal_limits(
 	return ok;
 }
 
-/* Lets the first figure that has a limit have its range shown, if there is
- * one. */
+/* Chooses the first figure with a limit, if any, as the one whose range is
+ * shown. */
 static void
 choose_limited_figure_for_range(struct card_request *all)
 {
@@ -198,8 +199,8 @@ parse_card_request(struct session *s, struct card_request *all,
 	       solve_for_stream_names(all, slowest, error);
 }
 
-/* What a row is judged by.  share: of the draws in which the limits are met,
- * NAN for a model alone; holds: the answer meets them.  beyond: the speed is
+/* A row's speed and its verdicts.  share: of the draws, those that meet the
+ * limits, NAN without draws; holds: the answer meets them; beyond: the speed is
  * beyond the measured ones. */
 struct card_row {
 	double speed, share;
@@ -207,11 +208,10 @@ struct card_row {
 	enum light light;
 };
 
-/* The rows of the card, in its answer.  row: the index of the one that is being
- * added.  ranged: one figure has its range beside it; cut: how far at most the
- * range of a new belt cut reaches from that figure.  measured: that figure of
- * the samples is shown; moved: by how much at most they were moved to the feed,
- * 0..1 (moved.h). */
+/* The table of the card.  row: the index of the row being added; ranged: the
+ * range of the ranged figure is shown; cut: the farthest that the range of a
+ * new belt cut reaches from that figure; measured: its measured value is shown;
+ * moved: the most by which samples were moved to the feed, 0..1 (moved.h). */
 struct card_table {
 	struct answer *answer;
 	size_t row;
@@ -219,13 +219,14 @@ struct card_table {
 	double cut, moved;
 };
 
-/* What is left out for want of room: the last of these first. */
+/* Ranks of columns: if the page is too narrow, the last of these are left out
+ * first. */
 enum { NEEDED, ASKED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE, OTHER_UNIT };
 enum { AS_NEEDED = -1 };
 
-/* Adds a cell that people see under `head` and programs under `key`, each
- * unless it is NULL; with the first row, its column.  word: NULL for a
- * number. */
+/* Adds a cell under `head` in the table for people and under `key` in that for
+ * programs; a table whose name is NULL gets no cell.  The first row also adds
+ * the column.  word: the text of the cell, or NULL for a number. */
 static void
 put_card_cell(struct card_table *page, const char *key, const char *head,
     int decimals, int spare, double number, const char *word)
@@ -264,8 +265,9 @@ put_card_text(struct card_table *page, const char *key, const char *head,
 	free(word);
 }
 
-/* Returns "<2 mm", which is short enough for a page on a wall.  A note below
- * names the fraction that all figures are about. */
+/* Returns a heading such as "<2 mm", short enough for a page on a wall.  It
+ * leaves out the fraction of the question, which a note below the table
+ * names. */
 static char *
 card_heading_of_quantity(
     const struct card_request *all, const struct quantity *q)
@@ -284,8 +286,8 @@ card_heading_of_quantity(
 	return words;
 }
 
-/* Returns the heading of the range, which names its figure, lest it be taken
- * for that of P80, unless the name is much wider than the range. */
+/* Returns the heading of the range.  It names the figure, so that nobody takes
+ * the range for that of P80, unless the name is much wider than the range. */
 static char *
 range_column_heading(const struct card_request *all)
 {
@@ -296,8 +298,8 @@ range_column_heading(const struct card_request *all)
 		   : xasprintf(tr("%.0f %% band"), 100 * all->question->level);
 }
 
-/* Returns what was measured of the ranged figure at a speed; NAN if nothing
- * was.  Raises *moved to by how much it is moved to the feed of the card. */
+/* Returns the measured value of the ranged figure at a speed, or NAN.  Raises
+ * *moved to the amount by which it was moved to the card's feed. */
 static double
 measured_figure_at_speed(const struct session *s,
     const struct card_request *all, double speed, double *moved)
@@ -320,7 +322,7 @@ spare_of_figure(const struct card_request *all, size_t i)
 				: FIGURE;
 }
 
-/* A size that the feed does not reach at this speed leaves its cell empty. */
+/* A size that the curve does not reach at this speed leaves its cell empty. */
 static void
 put_card_figures(struct card_table *page, const struct session *s,
     const struct card_request *all, double speed)
@@ -360,7 +362,8 @@ put_card_figures(struct card_table *page, const struct session *s,
 	    fmax(page->cut, fmax(cut.high - cut.value, cut.value - cut.low));
 }
 
-/* Puts the tonnes of the plant's lines, NAN if it has no steady state. */
+/* Puts the tonnes of each stream, the power and the earnings; NAN if the plant
+ * has no steady state. */
 static void
 put_card_tonnages(
     struct card_table *page, const struct card_request *all, double speed)
@@ -386,7 +389,7 @@ put_card_tonnages(
 	flow_free(&o.flow);
 }
 
-/* Programs are told "met" if that is the more likely. */
+/* Programs read "met" if that is more likely than not. */
 static void
 put_limits_cells(struct card_table *page, const struct card_row *row)
 {
@@ -408,7 +411,8 @@ put_limits_cells(struct card_table *page, const struct card_row *row)
 	    drawn ? conditions_probability_text(row->share) : xstrdup("-"));
 }
 
-/* Puts the speed; people see first that in the unit of the sheet. */
+/* Puts the speed in both units; for people the unit of the sheet comes
+ * first. */
 static void
 put_card_speed(struct card_table *page, const struct site *site, double v)
 {
@@ -425,8 +429,8 @@ put_card_speed(struct card_table *page, const struct site *site, double v)
 		put_card_number(page, "rpm", NULL, 0, NEEDED, rpm);
 }
 
-/* Puts the answer at one speed.  Beyond the measured speeds people see
- * "amber?". */
+/* Puts the row of one speed.  Beyond the measured speeds the light has a
+ * question mark, "amber?". */
 static void
 put_card_row(struct card_table *page, struct session *s,
     const struct card_request *all, struct card_row *row, struct trust *worst)
@@ -455,10 +459,10 @@ put_card_row(struct card_table *page, struct session *s,
 	page->row++;
 }
 
-/* Titles the card "hollow_lane (Hollow Lane Quarry): card of 2026-11-27".  A
- * site that has only the name of its file is known in the cabin by the first
- * line of its sheet, up to a comma or a dash; its other cells, and other lines
- * of two cells, such as "Date, 12 May", are no name. */
+/* Titles the card "hollow_lane (Hollow Lane Quarry): card of 2026-11-27".  If a
+ * site is named only after its file, the first line of its sheet, up to a comma
+ * or a dash, is added, because the cabin knows it by that name.  Lines of two
+ * cells, such as "Date, 12 May", are not names. */
 static void
 set_card_title(struct answer *r, const struct site *site, const char *today)
 {
@@ -499,7 +503,7 @@ note_plant_and_power(struct answer *r, const struct card_request *all)
 		    "without what comes back; tonnes include it");
 }
 
-/* Warns if no row is likely to meet the limits.  Otherwise the rows show it. */
+/* Warns if no row is likely to meet the limits. */
 static void
 warn_if_limits_never_met(struct answer *r, const struct site *site,
     const struct card_row *row, size_t n)
@@ -540,7 +544,7 @@ note_limits_of_card(struct answer *r, const struct card_request *all,
 	conditions_note_source_of_limits(r, &all->list);
 }
 
-/* Notes what the range is of, and that a belt cut may lie outside it. */
+/* Explains the range, and how far a belt cut may lie from the figure. */
 static void
 note_meaning_of_range(
     struct answer *r, const struct card_request *all, double cut)
@@ -578,8 +582,8 @@ note_meaning_of_measured(
 	    of, 100 * moved);
 }
 
-/* Notes what the words under trust mean, of those that occur.  feed: the words
- * about the feed, or NULL; speeds that they name are not named again. */
+/* Explains those words of the column "trust" that occur.  feed: the note on the
+ * feed, or NULL; if it names the measured speeds, they are not repeated. */
 static void
 note_meaning_of_trust_words(struct answer *r, const struct site *site,
     const char *feed, const struct card_row *row, size_t n)
@@ -615,7 +619,8 @@ note_meaning_of_trust_words(struct answer *r, const struct site *site,
 	    words);
 }
 
-/* Notes what the figures mean, the machine, and how they were found. */
+/* Notes what the figures mean, the machine, and the model and data behind
+ * them. */
 static void
 note_basis_of_card(struct answer *r, const struct session *s,
     const struct card_request *all, const struct card_table *page,
@@ -651,8 +656,8 @@ note_basis_of_card(struct answer *r, const struct session *s,
 	note_meaning_of_trust_words(r, site, feed, row, n);
 }
 
-/* The rows show the lights.  If none is green, the best of them states its
- * reasons, preferably at a measured speed.  Programs are given the worst. */
+/* If no row is green, gives the reasons for the best light, preferably one at a
+ * measured speed.  Programs get the worst light. */
 static void
 note_best_trust_light(struct answer *r, const struct session *s,
     const struct question *q, const struct card_row *row, size_t n,

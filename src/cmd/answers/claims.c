@@ -15,8 +15,8 @@
 #include "core/answer/predict.h"
 #include "core/model/breakage.h"
 
-/* The fits of the paper's model at loaded sites [n], their held-out runs, and
- * the rows of Table 3. */
+/* The loaded sites [n] with a fit of the paper's model, their held-out runs,
+ * and the rows of Table 3. */
 struct claim_evidence {
 	size_t n;
 	const struct entry **fit;
@@ -40,8 +40,8 @@ collect_fitted_sites(struct claim_evidence *c, const struct session *s)
 	}
 }
 
-/* Adds a claim, whether these data bear it out, and the figures: a paragraph
- * for people, a row for programs.  Frees the figures. */
+/* Adds a claim, whether these data bear it out, and the figures that show it,
+ * as a paragraph for people and as a row for programs.  Frees the figures. */
 static void
 add_claim_verdict(
     struct answer *r, const char *words, bool borne_out, char *figures)
@@ -100,8 +100,8 @@ check_claim_p50_differs_least(struct answer *r, const struct claim_evidence *c)
 					     : tr("neither P20 nor P80"))));
 }
 
-/* True if a correlation is so far below 0 that chance alone reaches it once in
- * 20 times (t is about 2). */
+/* True if a correlation is so far below 0 that chance alone goes that far from
+ * 0 only once in 20 (t is about 2). */
 static bool
 is_correlation_surely_negative(double r, size_t n)
 {
@@ -145,8 +145,8 @@ table3_row_of_site(const struct claim_evidence *c, const struct entry *entry)
 	return material_find(&c->paper, name);
 }
 
-/* For a reconstructed site the product at any speed is known: that of its
- * row. */
+/* For a reconstructed site the true product is known at any speed: its row of
+ * Table 3 gives it. */
 static void
 check_claim_of_extrapolation(struct answer *r, const struct claim_evidence *c)
 {
@@ -214,7 +214,7 @@ check_claim_middle_speed_verifies(
 			100 * sqrt(sum[1] / (double)n), wins, n));
 }
 
-/* See D11. */
+/* D11. */
 static void
 check_claim_f_mat_is_resistance(
     struct answer *r, const struct claim_evidence *c)

@@ -25,8 +25,8 @@
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
-/* One of the two products, and its name for people.  A pinned prediction stays
- * with the session. */
+/* One of the two products.  head, words: its name in a column heading and in
+ * sentences.  A pinned prediction belongs to the session. */
 struct compared {
 	const struct entry *entry;
 	struct question q;
@@ -52,8 +52,8 @@ compared_passing_at_size(const struct compared *side, double x)
 	return psd_covers_size(p, x) ? psd_passing(p, x) : NAN;
 }
 
-/* Returns the sieves of both, coarsest first.  If one is pinned, only the
- * sieves of the other count.  The caller frees them. */
+/* Returns the sieves of both sides, coarsest first, without those of a pinned
+ * side unless both are pinned.  The caller frees them. */
 static double *
 merge_sieves_of_sides(const struct compared side[2], size_t *n)
 {
@@ -70,8 +70,8 @@ merge_sieves_of_sides(const struct compared side[2], size_t *n)
 	return x;
 }
 
-/* Forecasts the passings of sieves [n] and the sizes at the side's speed.
- * Returns NULL for a pinned prediction. */
+/* Forecasts the passings at sieves x [n] and P20, P50 and P80 at the side's
+ * speed.  Returns NULL for a pinned prediction. */
 static struct forecast *
 open_side_forecast(const struct session *s, const struct compared *side,
     const double *x, size_t n)
@@ -89,7 +89,7 @@ open_side_forecast(const struct session *s, const struct compared *side,
 	return f;
 }
 
-/* Adds the cells with the two ends of b - a. */
+/* Adds two cells: the ends of the band of b - a. */
 static void
 add_difference_range_cells(
     struct answer *r, struct forecast *const f[2], size_t i, bool size)
@@ -136,7 +136,7 @@ add_comparison_rows(struct answer *r, const struct compared side[2],
 	}
 }
 
-/* Returns a difference as it is shown: rounded, and never -0. */
+/* Rounds a difference to the digits shown.  Never returns -0. */
 static double
 round_difference_as_shown(const struct quantity *q, double value)
 {
@@ -145,7 +145,8 @@ round_difference_as_shown(const struct quantity *q, double value)
 	       0.0;
 }
 
-/* Says which of the two has more, and whether the feeds change that. */
+/* Says on which side the quantity is higher, and how far the difference varies
+ * with the sampled feeds. */
 static void
 note_which_side_has_more(struct answer *r, const struct session *s,
     const struct compared side[2], const struct quantity *q, struct figure more)
@@ -183,8 +184,8 @@ note_which_side_has_more(struct answer *r, const struct session *s,
 		    digits, round_difference_as_shown(q, range[1]), unit);
 }
 
-/* Adds, for each of the figures that were named [n], a row, an object for
- * programs and a sentence. */
+/* Adds a row, an object for programs and, if there are bands, a sentence for
+ * each quantity q [n]. */
 static void
 add_compared_figures(struct answer *r, const struct session *s,
     const struct compared side[2], const struct quantity *q, size_t n)
@@ -245,7 +246,7 @@ put_side_fields(struct fields *o, const char *key, const struct compared *side,
 	origin_put_fields(one, side->entry);
 }
 
-/* Returns the provenance of both, once if it is the same. */
+/* Returns the provenance of both sides, or of one if they are the same. */
 static char *
 provenance_of_both_sides(const struct compared side[2])
 {
@@ -276,8 +277,8 @@ note_broken_and_extrapolated(struct answer *r, const struct compared side[2])
 			    "%s is outside the training speeds", side[i].words);
 }
 
-/* Shows what both answers rest on, once if it is the same, and one light for
- * the two. */
+/* Shows the basis of both sides, once if it is the same, and the worse of the
+ * two lights. */
 static void
 show_basis_of_both_sides(
     const struct session *s, struct answer *r, const struct compared side[2])
@@ -300,7 +301,7 @@ show_basis_of_both_sides(
 	trust_show(r, light);
 }
 
-/* A pinned prediction stays as it was.  Its draws are therefore not paired with
+/* A pinned prediction is not computed again, so its draws cannot be paired with
  * those of the other side, and the difference has no band. */
 static bool
 use_pin_as_side(struct session *s, const struct args *args,
@@ -334,9 +335,9 @@ is_operand_pin(const struct args *args, size_t i)
 	return strcmp(args->operand[i], PIN) == 0;
 }
 
-/* Reads side i: a loaded site at speed v, with a feed of its own; or the site
- * in use at a speed.  Two speeds share one feed.  Beside a pinned prediction
- * the feed is chosen as predict does. */
+/* Reads operand i as a loaded site, to predict at speed v with its own feed, or
+ * as a speed of the site in use.  Two speeds share one feed.  Beside a pinned
+ * prediction the feed is chosen as in predict. */
 static bool
 parse_side_and_predict(struct session *s, const struct args *args, bool sites,
     double v, size_t i, struct compared *side, struct error *error)
@@ -367,7 +368,7 @@ parse_side_and_predict(struct session *s, const struct args *args, bool sites,
 	return true;
 }
 
-/* Returns what names a side, with its speed unless its site is enough. */
+/* Names a side by its site, its speed, or both if the site is not enough. */
 static char *
 name_of_side(
     const struct compared *side, bool sites, bool two, const char *speed)
@@ -380,7 +381,7 @@ name_of_side(
 				      : xstrdup(words);
 }
 
-/* Names the columns by what the two sides differ in. */
+/* Names the sides, in headings and in words, by what differs between them. */
 static void
 set_headings_of_sides(bool sites, struct compared side[2])
 {
@@ -419,7 +420,7 @@ set_title_of_two_sites(struct answer *r, const struct compared side[2],
 	answer_set_site_names(r, both, data);
 }
 
-/* Adds the sieves, sizes and break sizes of both. */
+/* Adds the passings, sizes and break sizes of both sides. */
 static void
 add_compared_sieves_and_sizes(struct answer *r, const struct session *s,
     const struct compared side[2], const double *x, size_t n)
@@ -440,7 +441,7 @@ add_compared_sieves_and_sizes(struct answer *r, const struct session *s,
 		forecast_close(f[i]);
 }
 
-/* q [n_q]: the figures that are shown; NULL shows the curves. */
+/* q [n_q]: the quantities to compare; NULL: compare the whole curves. */
 static struct answer *
 build_comparison_answer(const struct session *s, const struct compared side[2],
     const struct quantity *q, size_t n_q)
@@ -470,8 +471,8 @@ build_comparison_answer(const struct session *s, const struct compared side[2],
 	return r;
 }
 
-/* Draws both curves as an image, with the second as the main one, unless that
- * is pinned. */
+/* Draws both curves as an image.  The second is the main one, unless it is
+ * pinned. */
 static bool
 draw_both_curves(
     struct session *s, const struct compared side[2], struct error *error)
@@ -492,8 +493,8 @@ draw_both_curves(
 	return chart != NULL && plot_write_image(s, chart, error);
 }
 
-/* Reads the figures of of=; leaves *q NULL if there are none.  The caller frees
- * it. */
+/* Reads the quantities of of=, or leaves *q NULL without of=.  The caller frees
+ * *q. */
 static bool
 parse_compared_quantities(const struct args *args,
     const struct compared side[2], struct quantity **q, size_t *n,

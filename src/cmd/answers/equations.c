@@ -29,8 +29,8 @@ static const struct {
 	"E = sum of ((P_exp,high - P_sim,high)^2 - (P_exp,low - P_sim,low)^2)",
 	"E = sum of ((measured - simulated)^2 at both speeds) (D6)"}};
 
-/* What the examples are worked out with: the site, its parameters, and the two
- * runs of Eq 5. */
+/* The basis of the examples: the site, its parameters, and its slowest and
+ * fastest run, which stand for the two speeds of Eq 5. */
 struct equation_example {
 	const struct site *site;
 	const struct params *p;
@@ -38,8 +38,8 @@ struct equation_example {
 	size_t low, high;
 };
 
-/* Returns the exponent of Eq 3 without its sign and its floor at 0; x in
- * whatever unit it is given in. */
+/* Returns the exponent t in S = 1 - exp(-t) of Eq 3, without the floor at 0.
+ * x: in m as used, or in mm to show the effect (D2). */
 static double
 exponent_of_eq3(const struct equation_example *w, double x, double speed)
 {
@@ -48,8 +48,8 @@ exponent_of_eq3(const struct equation_example *w, double x, double speed)
 	       (pow(x, p->alpha) * speed * speed / 2 - p->e0_min);
 }
 
-/* Returns the middle, on log size, of the coarsest size class in which
- * something breaks or, if not `breaks`, in which nothing does, m. */
+/* Returns the middle, in log size, of the coarsest size class that breaks or,
+ * unless `breaks`, of the coarsest that does not, m; NAN if there is none. */
 static double
 midpoint_of_coarsest_class(
     const struct equation_example *w, double speed, bool breaks)
@@ -128,8 +128,8 @@ say_effect_of_millimetres(struct answer *r, const struct equation_example *w)
 	    metres[0], speed[0], metres[1], speed[1], mm[0], mm[1]);
 }
 
-/* Returns the RMSE of the parameters at one run or, if run is n_run, at both,
- * in points. */
+/* Returns the RMSE of the parameters, points, at one of the two runs or, if run
+ * is n_run, at both. */
 static double
 rmse_of_params_at_run(const struct equation_example *w,
     struct model_settings settings, const struct params *p, size_t run)
@@ -143,8 +143,8 @@ rmse_of_params_at_run(const struct equation_example *w,
 	return rmse;
 }
 
-/* Says what the literal reading gives: each progeny class has the same share,
- * whatever beta is. */
+/* Says what Eq 1 gives if read literally: all progeny classes get the same
+ * share, whatever beta is. */
 static void
 say_effect_of_literal_appearance(
     struct answer *r, const struct equation_example *w)
@@ -179,9 +179,9 @@ say_effect_of_literal_appearance(
 	    most < 1e-9 ? 0 : most, off, used);
 }
 
-/* Finds, in a grid over Table 2's bounds, the parameters with the smallest Eq 5
- * as printed, and returns that value.  The search starts from the site's own
- * parameters. */
+/* Searches a grid over the bounds of Table 2 for parameters with a smaller Eq 5
+ * as printed than *best, and sets *best to the best of them.  Returns the
+ * smallest value. */
 static double
 best_params_of_printed_eq5(const struct equation_example *w, struct misfit *low,
     struct misfit *high, struct params *best)
@@ -238,8 +238,8 @@ say_effect_of_printed_eq5_minus(
 	misfit_free(m[1]);
 }
 
-/* Finds the slowest and the fastest run with a product.  False if there are not
- * two of them. */
+/* Finds the slowest and the fastest run with a product.  Returns false unless
+ * their speeds differ. */
 static bool
 find_slowest_and_fastest_run(struct equation_example *w)
 {
@@ -255,8 +255,8 @@ find_slowest_and_fastest_run(struct equation_example *w)
 	       w->site->run[w->low].speed < w->site->run[w->high].speed;
 }
 
-/* Works the equations out for the site in use, if it has parameters of the
- * paper's model. */
+/* Shows the effect of each departure at the site in use, if it has parameters
+ * of the paper's model. */
 static void
 work_out_equations_for_site(struct answer *r, const struct session *s)
 {

@@ -1,4 +1,5 @@
-/* figures: single numbers of a product: sizes, moduli, shares of fractions.
+/* figures: single numbers that describe a product: sizes, moduli, shares of
+ * fractions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -13,12 +14,13 @@
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
 
-/* The figures that are shown by default, as far as the feed covers them. */
+/* The figures shown by default.  Those that the feed does not cover are left
+ * out. */
 #define USUAL "P10,P20,P50,P80,P90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
 
 /* Adds a row for each quantity and, unless list is NULL, an object.  model:
- * also add the figure by the model alone, for programs, because people have no
- * room for it. */
+ * adds columns for the figure by the model alone and the speed, for which only
+ * the table for programs has room. */
 static void
 add_quantity_rows(struct answer *r, struct fields *list, struct forecast *all,
     const struct quantity *q, size_t n, double speed, bool model)
@@ -55,7 +57,7 @@ add_quantity_rows(struct answer *r, struct fields *list, struct forecast *all,
 	}
 }
 
-/* Says between which values a new belt cut may show each of several. */
+/* Notes the range in which a new belt cut may show each quantity. */
 static void
 note_ranges_of_new_cut(struct answer *r, const struct session *s,
     const struct question *question, const struct quantity *q, size_t n)

@@ -19,11 +19,10 @@
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
-/* What is wanted: a value of a quantity, or its maximum or minimum, and other
- * conditions that have to hold; on which feed, and between which speeds. n: the
- * number of goals that were named.  search, speed: what was found; the speed is
- * NAN if there is none.  detail: also what a reader who wants one speed and its
- * range can do without. */
+/* The goal: a value of a quantity, or its maximum or minimum; other conditions
+ * that must hold; and the question.  n: number of goals in the call.  search,
+ * speed: the result; speed is NAN if none was found.  detail: show more than
+ * one speed and its range. */
 struct find_request {
 	enum { GOAL_VALUE, GOAL_MOST, GOAL_LEAST } kind;
 	size_t n;
@@ -87,7 +86,7 @@ parse_goal_operand(const char *text, const struct fraction *fraction,
 	return true;
 }
 
-/* Refuses conditions alone, which belong to window, and proposes a maximum. */
+/* Refuses conditions without a goal, and proposes window, or a maximum. */
 static bool
 refuse_conditions_without_goal(const struct args *args,
     const struct find_request *goal, struct error *error)
@@ -111,7 +110,7 @@ refuse_conditions_without_goal(const struct args *args,
 	return false;
 }
 
-/* Checks that there is exactly one goal, and all that belongs to it. */
+/* Checks that there is exactly one goal and that it is complete. */
 static bool
 check_single_goal(const struct args *args, const struct find_request *goal,
     struct error *error)
@@ -134,7 +133,8 @@ check_single_goal(const struct args *args, const struct find_request *goal,
 	    "6\"' or 'find spec=NAME'");
 }
 
-/* Takes the goal of the session, of which one condition is a single value. */
+/* Takes the goal and the conditions from the session's goal, which must contain
+ * a single value. */
 static bool
 take_session_goal_value(
     struct session *s, struct find_request *goal, struct error *error)
@@ -255,8 +255,8 @@ put_goal_fields(struct fields *o, const struct find_request *goal)
 	    finite_speed_or_nan(f->cut[0]), finite_speed_or_nan(f->cut[1]));
 }
 
-/* Returns "66.2 to 68.9 m/s (1290 to 1343 rpm)"; an end may lie beyond the
- * speeds searched.  The caller frees the words. */
+/* Returns "66.2 to 68.9 m/s (1290 to 1343 rpm)", with "below" or "above" before
+ * an end that lies beyond the speeds searched.  The caller frees it. */
 static char *
 speed_range_text(const struct find_request *goal, const double range[2])
 {
@@ -277,8 +277,9 @@ speed_range_text(const struct find_request *goal, const double range[2])
 	return words;
 }
 
-/* The speed that gives the target with the feed of a run; 0 and INFINITY:
- * beyond the speeds searched; NAN: the feed does not tell. */
+/* Finds the speed that gives the target with the feed of a run.  Returns 0 or
+ * INFINITY if it lies below or above the speeds searched, and NAN if that
+ * feed's curves do not reach the quantity. */
 static double
 find_speed_with_feed_of_run(
     const struct session *s, const struct find_request *goal, size_t run)
@@ -307,8 +308,9 @@ find_speed_with_feed_of_run(
 	return (slow >= 0) == rises ? 0 : INFINITY;
 }
 
-/* What the speed would be with each sampled feed in place of their mean, of
- * what rises or falls with the speed throughout. */
+/* Notes the range of the speed over the sampled feeds, used one at a time
+ * instead of their mean.  Only for sizes and passings of the whole product,
+ * which rise or fall with the speed throughout. */
 static void
 note_speed_range_over_feeds(
     struct answer *r, const struct session *s, const struct find_request *goal)
@@ -341,8 +343,8 @@ note_speed_range_over_feeds(
 	    words);
 }
 
-/* Notes the speed found with its range, and the range in which a belt cut may
- * show the value. */
+/* Notes the speed found, its range, the speeds at which a belt cut may show the
+ * value, and other speeds that give it too. */
 static void
 note_speed_found(
     struct answer *r, const struct find_request *goal, const char *words)
@@ -392,8 +394,8 @@ value_with_band_text(const struct find_request *goal, size_t i)
 	    quantities_unit_suffix(q), band);
 }
 
-/* Notes the extreme value and what keeps it from going further: a limit that
- * would be missed, or the end of the speeds searched. */
+/* Notes the extreme value and what limits it: a condition, or the end of the
+ * speeds searched. */
 static void
 note_extreme_value(struct answer *r, const struct find_request *goal)
 {
@@ -427,7 +429,8 @@ note_extreme_value(struct answer *r, const struct find_request *goal)
 }
 
 /* Notes the best speed at which the conditions hold with the probability of the
- * bands.  At the speed of a binding limit that probability is only a half. */
+ * bands.  At the speed where a limit is just met, they hold with a probability
+ * of only a half. */
 static void
 note_best_certain_speed(struct answer *r, const struct find_request *goal)
 {
@@ -466,8 +469,8 @@ note_if_condition_holds(
 		    conditions_decimals_of_miss(missed), missed, value);
 }
 
-/* Notes whether each other condition holds at the speed found, and with what
- * certainty all of them do. */
+/* Notes whether each condition holds at the speed found, and with what
+ * certainty they all do. */
 static void
 note_if_conditions_hold(struct answer *r, const struct find_request *goal)
 {
@@ -491,8 +494,9 @@ note_if_conditions_hold(struct answer *r, const struct find_request *goal)
 		note_best_certain_speed(r, goal);
 }
 
-/* Returns, where nothing was found, the speed that comes nearest: the one that
- * misses the conditions by least or, for a value, one end of those searched. */
+/* For a search that found nothing, returns the speed that comes nearest: the
+ * one that misses the conditions by the least or, if the goal is a value, an
+ * end of the range searched. */
 static double
 speed_nearest_to_goal(const struct find_request *goal)
 {
@@ -506,8 +510,8 @@ speed_nearest_to_goal(const struct find_request *goal)
 		   : w->from;
 }
 
-/* If that speed lies beyond the measured ones, notes what the nearest of these
- * gives. */
+/* If a speed lies beyond the measured ones, notes the value at the nearest
+ * measured speed. */
 static void
 note_value_at_nearest_measured(
     struct answer *r, const struct find_request *goal, double speed)
@@ -524,7 +528,8 @@ note_value_at_nearest_measured(
 	    units_speed_decimals(near), near, rpm, words);
 }
 
-/* Says why there is no such speed, with the values at both ends. */
+/* Says why no speed gives the value, with the values at both ends of the
+ * range. */
 static void
 note_goal_unattainable(
     struct answer *r, const struct find_request *goal, const char *words)
@@ -600,8 +605,8 @@ put_search_fields(struct fields *o, const struct find_request *goal)
 	    !isnan(v) && conditions_are_met(&goal->wanted, SIZE_MAX));
 }
 
-/* The light of the speed found, or that of the nearest one, which is named: the
- * speed that 'why' explains, which is returned. */
+/* Shows the basis and the light of the speed found or, if there is none, of the
+ * nearest speed, which is then named.  Returns that speed, for 'why'. */
 static double
 show_basis_at_speed_found(
     struct session *s, struct answer *r, const struct find_request *goal)
@@ -615,7 +620,8 @@ show_basis_at_speed_found(
 	return shown;
 }
 
-/* Without a speed found the title says so, lest the rows be taken for it. */
+/* If no speed was found the title says so, so that nobody takes the rows for
+ * the result. */
 static struct answer *
 begin_find_answer(
     const struct find_request *goal, bool found, const char *words)
@@ -633,8 +639,8 @@ begin_find_answer(
 		: N_("no speed meets the condition; at the ends searched"));
 }
 
-/* Answers with the product at the speed found or, if there is none, with those
- * at both ends. */
+/* Shows the product at the speed found or, if there is none, at both ends of
+ * the range. */
 static void
 show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 {
@@ -666,8 +672,9 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 		prediction_free(&p[i]);
 }
 
-/* Notes the speeds that meet the envelope, which are about those that were said
- * to be certain, if there are any; if none does, what the nearest misses. */
+/* Notes the speeds that meet the envelope, unless the certain speeds already
+ * noted are about the same.  If no speed meets it, notes what the nearest one
+ * misses. */
 static void
 note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
     const struct grading *g, const struct speed_search *w)

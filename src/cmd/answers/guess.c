@@ -18,14 +18,15 @@
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
 
-/* The user's materials that are looked at are the nearest of this number. A
- * band over 100,000 of them would hardly differ, and take seconds. */
+/* At most this many of the user's own materials are used, the nearest.  A band
+ * over 100,000 would hardly differ, and would take seconds. */
 enum { MOST_OWN = 200 };
 
-/* What a guess is made from.  own: the number of the user's materials, of which
- * the list has at most MOST_OWN.  list: all materials, with Table 3 from index
- * `table3` on.  m [list.n]: the same for core.  pick [n]: those that are used.
- * error: that of guesses from as many materials. */
+/* The materials for a guess.  own: number of the user's materials, of which the
+ * list has at most MOST_OWN.  list: all materials, with Table 3 from index
+ * `table3` on.  m [list.n]: the same materials, as core takes them.  pick [n]:
+ * indices of those used.  error: the error of guesses from as many
+ * materials. */
 struct guess_sources {
 	struct material_list list;
 	struct guess_material *m, wanted;
@@ -80,9 +81,9 @@ prepare_guess_materials(struct guess_sources *b)
 		b->table3++;
 }
 
-/* Picks as many of the nearest as the user says, otherwise the number for which
- * leaving one site out gives the smallest error.  That number is found from
- * Table 3 alone, so that it is the same for everyone. */
+/* Picks the nearest materials: as many as the user says, or else the number
+ * with the smallest leave-one-site-out error.  That number is found from Table
+ * 3 alone, so it is the same for everyone. */
 static void
 pick_nearest_materials(struct guess_sources *b, uint64_t nearest, double speed)
 {
@@ -100,7 +101,7 @@ pick_nearest_materials(struct guess_sources *b, uint64_t nearest, double speed)
 	    b->m, n, &b->wanted, b->leave_out, most, b->pick);
 }
 
-/* Takes the rock and the top size that are given, otherwise those of the site
+/* Takes the rock type and top size from the call, or else from the site
  * file. */
 static bool
 parse_wanted_material(const struct site *site, const struct args *args,
@@ -220,7 +221,7 @@ note_guessed_sizes(struct answer *r, const struct guess *guess)
 	answer_note(r, "break size %s mm", breaks);
 }
 
-/* Lists the names of the materials that are picked or, if `left`, left out. */
+/* Lists the names of the materials that were picked or, if `left`, left out. */
 static char *
 guess_material_names(const struct guess_sources *b, bool left)
 {
@@ -234,7 +235,6 @@ guess_material_names(const struct guess_sources *b, bool left)
 	return list;
 }
 
-/* Names the materials that were chosen. */
 static void
 note_picked_materials(struct answer *r, const struct guess_sources *b)
 {
@@ -256,7 +256,7 @@ note_picked_materials(struct answer *r, const struct guess_sources *b)
 		    b->wanted.rock, same, b->n, picked);
 }
 
-/* The rock type may be a new one, or misspelt. */
+/* Says if no material has the rock type: it may be new, or misspelt. */
 static void
 note_unknown_rock(struct answer *r, const struct guess_sources *b)
 {
@@ -331,8 +331,8 @@ note_basis_of_guess(struct answer *r, const struct guess_sources *b)
 		    "left out because they are this site's own: %s", left);
 }
 
-/* Warns if one or more of the materials were not trained at the speed.
- * Materials that do not state their speeds do not count. */
+/* Warns if the speed is outside the training speeds of one of the materials.
+ * Materials that do not state them do not count. */
 static void
 warn_beyond_material_speeds(
     struct answer *r, const struct guess_sources *b, double speed)
@@ -360,8 +360,8 @@ warn_beyond_material_speeds(
 		    units_speed_decimals(speed), speed, slowest, fastest);
 }
 
-/* Notes how far such guesses err.  The band of a few materials is too narrow,
- * and not by chance: see struct guess. */
+/* Notes the error of such guesses.  The band of a few materials is
+ * systematically too narrow: see struct guess. */
 static void
 note_guess_error(struct answer *r, const struct guess_sources *b)
 {
@@ -386,9 +386,9 @@ note_guess_error(struct answer *r, const struct guess_sources *b)
 		    100 * e->held);
 }
 
-/* Names the material that meets the site's only product best, besides the
- * product of all materials.  That material has parameters to use, which a
- * median of products has not. */
+/* If the site has a single product, names the material that matches it best.
+ * 'recall' can use that material's parameters; the guess, a median of products,
+ * has none. */
 static void
 note_best_material_at_cut(
     struct answer *r, const struct site *site, const struct guess_sources *b)

@@ -13,10 +13,10 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* A correlation above RIDGE is a ridge, of which at most RIDGES are named.
- * The data fix a break size if its standard deviation is at most SHARP of it.
- * The threshold counts as open if more than OPEN of the draws have a break size
- * that is below all sieves. */
+/* RIDGE: a correlation above it is a ridge; at most RIDGES of them are named.
+ * SHARP: a break size is fixed by the data if its standard deviation is at most
+ * this share of it.  OPEN: the threshold counts as open if the break size is
+ * below all sieves in more than this share of the draws. */
 static const double RIDGE = 0.9, SHARP = 0.1, OPEN = 0.1;
 enum { RIDGES = 3 };
 
@@ -25,9 +25,9 @@ static const char *const GRADES[] = {[IDENTIFY_FIXED] = N_("fixed"),
     [IDENTIFY_POORLY] = N_("poorly"),
     [IDENTIFY_NOT] = N_("cannot be told")};
 
-/* What was found: the parameters [of->n] of the draws' model, the break sizes
- * at the measured speeds [n_speed], the diameter of the rotor that had them, m,
- * or 0, and the finest sieve compared, m. */
+/* What the draws show: param [of->n]: the parameters of their model; at
+ * [n_speed]: the break sizes at the measured speeds.  rotor: the diameter of
+ * the rotor of the runs, m, or 0; finest: the finest sieve compared, m. */
 struct findings {
 	const struct posterior *p;
 	const struct breakage *of;
@@ -35,7 +35,7 @@ struct findings {
 	size_t n_speed;
 	double *speed, rotor, finest;
 	struct identify_break *at;
-	bool open; /* the threshold is bounded from above only */
+	bool open; /* the threshold has an upper bound only */
 };
 
 static void
@@ -112,8 +112,8 @@ add_identifiability_rows(
 	}
 }
 
-/* Finds the most correlated pairs of parameters, strongest first, at most
- * RIDGES of them.  Returns their number. */
+/* Finds the pairs of parameters whose correlation exceeds RIDGE, strongest
+ * first, at most RIDGES of them.  Returns their number. */
 static size_t
 find_correlated_pairs(const struct findings *f, size_t pair[RIDGES][2])
 {
@@ -164,8 +164,8 @@ say_correlated_pairs(struct answer *r, const struct findings *f)
 	}
 }
 
-/* Appends the break sizes, "5.72 +- 0.06, 4.31 +- 0.05 mm", of the speeds where
- * they are sharp, or where they are not. */
+/* Appends the break sizes, "5.72 +- 0.06, 4.31 +- 0.05 mm", at the speeds where
+ * they are sharp or, unless `sharp`, where they are not. */
 static void
 append_break_sizes(char **text, const struct findings *f, bool sharp)
 {

@@ -64,7 +64,7 @@ note_breaking_sizes(
 		    1000 * p->break_size, 100 * p->selected);
 }
 
-/* Names the sieves that the feed was not sieved on. */
+/* Names the sieves on which the feed was not measured. */
 static void
 note_sieves_missing_in_feed(
     struct answer *r, const struct psd *feed, const struct prediction *p)
@@ -92,9 +92,10 @@ note_wide_sieve_gap_in_feed(struct answer *r, const struct psd *feed)
 		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]));
 }
 
-/* Returns the measured products, moved to the feed and interpolated in speed
- * squared at each sieve [n].  NULL unless measured runs with this feed and
- * machine lie on both sides of the speed. */
+/* Returns the passing at each sieve of p, interpolated in speed squared between
+ * measured products that were moved to the feed.  Returns NULL if the question
+ * changes the feed or the machine, or if the speed is not between measured
+ * ones.  The caller frees it. */
 static double *
 interpolate_measured_products(const struct session *s, const struct question *q,
     const struct prediction *p)
@@ -121,9 +122,10 @@ interpolate_measured_products(const struct session *s, const struct question *q,
 	return passing;
 }
 
-/* Returns the products measured at the speed, repeats included, for the feed
- * and the fraction asked about, and sets *n to their number: none with another
- * feed or machine.  The caller frees them. */
+/* Returns the products measured at the speed, repeats included, moved to the
+ * question's feed and screened to its fraction.  Sets *n to their number, which
+ * is 0 if the question changes the feed or the machine.  The caller frees
+ * them. */
 static struct psd *
 measured_products_at_speed(
     const struct session *s, const struct question *q, size_t *n)
@@ -142,11 +144,11 @@ measured_products_at_speed(
 	return part;
 }
 
-/* The least difference that changes a tenth of a per cent, passing 0..1. */
+/* The smallest difference, passing 0..1, that shows in tenths of a per cent. */
 static const double SHOWN_PASSING = 5e-4;
 
-/* True if at sieve i the answer, or the low end of its band, is the passing of
- * the feed. */
+/* True if at sieve i the answer, or the low end of its band, comes down to the
+ * passing of the feed. */
 static bool
 is_held_at_feed(const struct question *q, const struct prediction *p, size_t i)
 {
@@ -156,8 +158,8 @@ is_held_at_feed(const struct question *q, const struct prediction *p, size_t i)
 }
 
 /* Adds a row for each sieve.  between: the interpolated products, or NULL.
- * model: NULL, or the model for a column of its own, beside one for the speed,
- * as files want them.  alone: adds the passings by the model alone. */
+ * model: name of the model, for the columns speed and model, which only files
+ * have; NULL: without them.  alone: add the passings by the model alone. */
 static void
 add_prediction_sieve_rows(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p, const double *between,
@@ -230,7 +232,7 @@ build_prediction_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* Notes how well parameters from elsewhere meet the only product of a site. */
+/* Notes how well parameters from elsewhere match the only product of a site. */
 static void
 note_fit_of_only_cut(
     struct answer *r, const struct session *s, const struct entry *entry)
@@ -255,9 +257,9 @@ note_fit_of_only_cut(
 	    100 * cut.rms, cut.n);
 }
 
-/* Returns "44.7 % at 2 mm, 11.1 % at 0.5 mm": what was measured at the speed
- * and lies below a band that the feed keeps from going lower, no more than
- * MOST of them; or "".  The caller frees it. */
+/* Lists passings measured at the speed that lie below a band which cannot go
+ * lower because of the feed: "44.7 % at 2 mm, 11.1 % at 0.5 mm", at most MOST;
+ * "" if there are none.  The caller frees it. */
 static char *
 list_measured_below_feed(const struct session *s, const struct question *q,
     const struct prediction *p)
@@ -283,9 +285,9 @@ list_measured_below_feed(const struct session *s, const struct question *q,
 	return list;
 }
 
-/* Names the sieves at which measured products pass clearly less than their
- * feeds, while the answer, or its band, goes down to the passing of the feed:
- * breakage cannot bring it any lower. */
+/* Names the sieves where a measured product passes clearly less than its feed,
+ * and where the answer or its band comes down to the feed.  Breakage cannot
+ * bring it any lower. */
 static void
 note_sieves_limited_by_feed(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
@@ -370,8 +372,8 @@ predict_largest_change_by_feed(const struct session *s,
 	return fmax(fabs(range[0] - value), fabs(range[1] - value));
 }
 
-/* Adds the range of the quantity over the sampled feeds, used one at a time
- * instead of their mean, if the last digit shown can tell them from it. */
+/* Appends the range of the quantity over the sampled feeds, used one at a time
+ * instead of their mean, if the last digit shown changes. */
 static void
 append_range_over_feeds(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double value, char **words)
@@ -391,8 +393,8 @@ append_range_over_feeds(const struct session *s, const struct question *q,
 	    quantities_value_in_shown_unit(of, range[1]));
 }
 
-/* Adds what was measured at the speed, and whether it is in the range for a
- * belt cut. */
+/* Appends the value measured at the speed, if any, and whether it lies in the
+ * range for a belt cut. */
 static void
 append_measured_beside_range(const struct session *s, const struct question *q,
     const struct quantity *of, const struct figure *range, double speed,
@@ -443,8 +445,8 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	return words;
 }
 
-/* Adds, for a user who types, the line that asks for the next sieve, because
- * the rows of the table have no range for a belt cut. */
+/* For a user at the prompt, appends the command that asks about the next sieve,
+ * because the rows of the table have no range for a belt cut. */
 static void
 append_hint_at_other_sieve(const struct session *s, const struct question *q,
     const struct prediction *p, char **words)
@@ -473,8 +475,8 @@ note_certainty_of_passing(struct answer *r, const struct session *s,
 	answer_note(r, "%s", words);
 }
 
-/* Returns how far the measured products that stand beside the answer were
- * moved, the largest distance, passing 0..1; 0 if that does not show. */
+/* Returns the most by which the measured products shown beside the answer were
+ * moved to its feed, passing 0..1, or 0 if that is too little to show. */
 static double
 largest_shown_move_to_feed(const struct session *s, const struct question *q,
     const struct prediction *p, bool between)
@@ -488,7 +490,8 @@ largest_shown_move_to_feed(const struct session *s, const struct question *q,
 	return most > SHOWN_PASSING ? most : 0;
 }
 
-/* Builds the answer with all notes.  wanted: with interpolated products. */
+/* Builds the answer with all notes.  wanted: the user asked for the
+ * interpolated products. */
 static struct answer *
 build_prediction_with_notes(const struct session *s, const struct question *q,
     const struct prediction *p, bool wanted, bool detail)
@@ -562,8 +565,8 @@ draw_prediction_curves(struct session *s, const struct question *q,
 	return true;
 }
 
-/* Takes the parameters that predict a site; during its calibration, the best so
- * far. */
+/* Sets *params to the site's parameters or, during its calibration, to the best
+ * so far. */
 static bool
 params_to_predict_with(const struct session *s, const struct entry *entry,
     struct params *params, struct error *error)

@@ -32,7 +32,7 @@ enum need {
 	NEED_SITE,
 	NEED_PARAMS,
 	NEED_FIT,     /* a calibration of this session */
-	NEED_NONE,    /* no parameters */
+	NEED_NONE,    /* a site that has no parameters */
 	NEED_SEVERAL, /* several sites with parameters */
 	NEED_CUTS,    /* cuts added after the calibration */
 	NEED_SPEC,    /* an envelope in use */
@@ -40,12 +40,12 @@ enum need {
 	NEED_TPH
 };
 
-/* What is asked: a speed, m/s, and the new feed, t/h, or 0.  The texts are
- * parts of a command line that begin with a space, or "": the conditions in
+/* The request: a speed, m/s, and the new feed, t/h, or 0.  Each text is a part
+ * of a command line that begins with a space, or is "": the conditions in
  * quotes, the envelope as an operand and as an option, other options of the
  * question, those of the fraction, and the new feed.  list: all conditions,
- * with those of the envelope.  wanted, found: where they hold, if the site has
- * parameters. */
+ * including those of the envelope.  wanted, found: the search for speeds that
+ * meet them, if the site has parameters. */
 struct report_request {
 	double speed, tph;
 	char *conditions, *envelope, *spec, *asked, *cut, *rate;
@@ -56,7 +56,7 @@ struct report_request {
 };
 
 /* Headings, and a command below each; a NULL heading continues the section
- * before. The words in capitals are replaced by what is asked. */
+ * before.  The words in capitals are replaced with parts of the request. */
 static const struct section {
 	const char *heading, *line;
 	enum need need;
@@ -91,7 +91,7 @@ static const struct section {
     {NULL, "plot parity", NEED_SEVERAL},
 };
 
-/* True if parameters are all that the section may lack. */
+/* True if the section needs parameters and lacks nothing else. */
 static bool
 lacks_section_only_params(const struct report_request *ask, enum need need)
 {
@@ -131,8 +131,8 @@ has_what_section_needs(
 	}
 }
 
-/* Replaces the words in capitals by what is asked.  The caller frees the
- * text. */
+/* Replaces the words in capitals with parts of the request.  The caller frees
+ * the text. */
 static char *
 fill_in_placeholders(const char *words, const struct report_request *ask)
 {
@@ -165,7 +165,7 @@ run_report_line(struct session *s, const char *line)
 {
 	struct error error = {0};
 	size_t next;
-	/* A stopped calibration can still be continued afterwards. */
+	/* Set aside, so that a stopped calibration can be continued later. */
 	const struct job stopped = s->job;
 	s->job = (struct job){0};
 	bool ok = session_run_line(s, line, 0, "report", 1, &next, &error);
@@ -200,11 +200,12 @@ write_report_sections(struct session *s, const struct report_request *ask)
 static void
 write_data_provenance(struct document *d, const struct site *site)
 {
-	FREED char *from = site_source_clause(site, "");
+	FREED char *first = site_source_clause(site, ""),
+		   *from = site_provenance_in_words(first);
 	if (from[0] == '\0')
 		document_say(d, DOCUMENT_WARNING,
 		    "The site file does not state where its data are from.");
-	else if (site_is_data_made_up(from))
+	else if (site_is_data_made_up(first))
 		document_say(d, DOCUMENT_WARNING,
 		    "The data were not measured at a plant: %s.", from);
 	else
@@ -286,7 +287,7 @@ write_whether_conditions_met(
 	    "%s.", words);
 }
 
-/* Puts the answer itself first, and how certain it is. */
+/* Writes the answer itself, with its bands. */
 static void
 write_headline_answer(struct session *s, const struct report_request *ask)
 {
@@ -302,7 +303,8 @@ write_headline_answer(struct session *s, const struct report_request *ask)
 	prediction_free(&p);
 }
 
-/* Without parameters this list of sections stands in place of the light. */
+/* Lists the sections that need parameters.  Written instead of the light if
+ * there are none. */
 static void
 write_list_of_missing_sections(
     struct session *s, const struct report_request *ask)
@@ -371,8 +373,8 @@ append_quoted_option(char **text, const char *name, const char *words)
 	xappend(text, " %s%s", name, quoted);
 }
 
-/* Returns " cut=\"0/4\"" and the like for the options that are given.  The
- * caller frees the words. */
+/* Returns the options that the call gives, as a part of a command line: "
+ * cut=\"0/4\"".  The caller frees it. */
 static char *
 given_options_text(const struct args *args, const void *const *option, size_t n)
 {
@@ -413,7 +415,8 @@ compose_section_options(const struct args *args, struct report_request *ask)
 			: xstrdup("");
 }
 
-/* Conditions that cannot be used are reported before anything is written. */
+/* Reads the request.  Errors in conditions are thus reported before anything is
+ * written. */
 static bool
 parse_report_request(struct session *s, const struct args *args,
     struct report_request *ask, struct error *error)

@@ -33,7 +33,8 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_title(r, "%s", label);
 	answer_set_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");
-	answer_add_pair(r, "data", "%s", site->provenance);
+	FREED char *data = site_provenance_in_words(site->provenance);
+	answer_add_pair(r, "data", "%s", data);
 	answer_add_pair(r, "rock", "%s", site->rock);
 	if (site->top_size > 0)
 		answer_add_pair(
@@ -59,8 +60,8 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* Returns the coarsest sieve of the curves below a size, m; 0 if there is
- * none. */
+/* Returns the coarsest sieve of the curves that is finer than `below`, m, or 0
+ * if there is none. */
 static double
 next_finer_sieve(const struct psd *const *curve, size_t n, double below)
 {
@@ -72,8 +73,9 @@ next_finer_sieve(const struct psd *const *curve, size_t n, double below)
 	return x;
 }
 
-/* Adds the columns feed@69, or the one feed of all runs, or product@69.  Sets
- * curve [n_run] to their curves and returns their number. */
+/* Adds a column for each product, "product@69", or for each feed, "feed@69",
+ * which is just "feed" if all runs share one.  Sets curve [n_run] to their
+ * curves and returns their number. */
 static size_t
 add_curve_columns(struct answer *r, const struct site *site, bool feed,
     const struct psd **curve)
@@ -123,7 +125,7 @@ show_feed_or_product(
 	return session_show_answer(s, r);
 }
 
-/* Notes the equations with the numbers of this site. */
+/* Notes Eqs 4, 3 and 1 with the site's parameters filled in. */
 static void
 note_equations_with_numbers(struct answer *r, const struct params *p, double k)
 {
@@ -182,6 +184,18 @@ show_model(struct session *s, const struct args *args, struct error *error)
 }
 
 /* People see a row for each model, programs one for each parameter. */
+/* The caller frees it. */
+static char *
+model_in_words(const struct breakage *model)
+{
+	int name = (int)strcspn(model->name, "+");
+	return model->bypass
+		   ? xasprintf(tr("%.*s with a share of the feed that "
+				  "bypasses the rotor"),
+			 name, model->name)
+		   : xstrdup(tr(model->brief));
+}
+
 static bool
 show_models(struct session *s, const struct args *args, struct error *error)
 {
@@ -190,9 +204,11 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_new("show");
 	answer_title(r, "breakage models, for 'set model'");
 	answer_columns(r, "model, parameters, what");
-	for (size_t m = 0; m < breakage_count_models(); m++)
+	for (size_t m = 0; m < breakage_count_models(); m++) {
+		FREED char *what = model_in_words(BREAKAGES[m]);
 		answer_add_cells(r, "%s %g %s", BREAKAGES[m]->name,
-		    (double)BREAKAGES[m]->n, BREAKAGES[m]->brief);
+		    (double)BREAKAGES[m]->n, what);
+	}
 	answer_begin_table_for_programs(r);
 	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
 	for (size_t m = 0; m < breakage_count_models(); m++)
@@ -267,7 +283,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 		   s, args, show_selection_at_speed, error);
 }
 
-/* Returns the name of a class, which is that of the sieve it lies on. */
+/* Returns the heading of a class: the sieve that retains it. */
 static const char *
 sieve_heading_of_class(const struct psd *feed, size_t i, char buf[static 32])
 {
@@ -373,7 +389,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* What can be shown; the first is shown if nothing is named. */
+/* What can be shown.  show alone shows the first. */
 static const struct {
 	const char *name;
 	bool at_site;

@@ -175,7 +175,7 @@ show_spec_list(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* Notes what misses the envelope, and with what probability it is met. */
+/* Notes which limits are missed, and with what probability all are met. */
 static void
 note_envelope_verdict(struct answer *r, const struct grading *g, double v)
 {
@@ -191,8 +191,8 @@ note_envelope_verdict(struct answer *r, const struct grading *g, double v)
 		    r, "the true product meets the checked limits %s", often);
 }
 
-/* Compares the product at a speed with the envelope named, or with the one in
- * use. */
+/* Compares the product at a speed with the envelope that the call names, or
+ * else with the one in use. */
 static bool
 compare_product_with_envelope(struct session *s, const struct args *args,
     struct question *q, struct error *error)

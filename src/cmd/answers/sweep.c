@@ -15,7 +15,7 @@
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
-/* Adds two rows, for the ends of a size's band. */
+/* Adds a row for each end of the band of a size: P20, P50 or P80. */
 static void
 add_rows_of_size_band(
     struct answer *r, const struct prediction *p, size_t n, size_t size)
@@ -31,8 +31,8 @@ add_rows_of_size_band(
 	}
 }
 
-/* Adds the speeds in the unit that the headings are not in: m/s of a sheet in
- * rpm, else the rpm of the rotor. */
+/* Adds a row with the speeds in the other unit: in m/s if the headings are in
+ * rpm, otherwise in rpm. */
 static void
 add_row_of_other_speed_unit(struct answer *r, const struct site *site,
     const struct prediction *p, size_t n)
@@ -121,7 +121,7 @@ add_rows_by_speed_and_sieve(struct answer *r, const struct entry *entry,
 	}
 }
 
-/* Answers with all predictions.  outside: one of them lies outside the training
+/* Builds the answer.  outside: at least one speed is outside the training
  * speeds. */
 static struct answer *
 build_sweep_answer(const struct session *s, const struct question *q,

@@ -25,9 +25,9 @@
 static const char *const PARTS[ENSEMBLE_PARTS] = {
     "parameters_pct", "answer_pct", "sample_pct"};
 
-/* Adds half the width of each band, in points.  The band of the answer may be
- * narrower than that of the parameters, because the discrepancy that the runs
- * show is correlated with the parameters. */
+/* Adds a row for each sieve with half the width of each band, in points.  The
+ * band of the answer can be narrower than that of the model alone, because the
+ * discrepancy that the runs show is correlated with the parameters. */
 static void
 add_half_band_width_rows(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
@@ -52,8 +52,8 @@ add_half_band_width_rows(struct answer *r, const struct session *s,
 		forecast_close(of[part]);
 }
 
-/* Returns the default quantities: the passings of the sieves that are asked
- * about, otherwise that of the middle sieve, and the sizes. */
+/* Returns the default quantities: with sieves=, the passings at these sieves;
+ * otherwise the passing of predict's first sentence, P20, P50 and P80. */
 static char *
 default_quantities_text(const struct prediction *p, bool sieves)
 {
@@ -102,8 +102,8 @@ add_figure_rows(struct answer *r, const struct session *s,
 	    chance);
 }
 
-/* Adds the median and the range of each hyperparameter; also for people if
- * `words`. */
+/* Puts the median and the range of each hyperparameter into the fields and, if
+ * `words`, into notes. */
 static void
 add_hyperparameter_rows(struct answer *r, const struct session *s,
     const struct posterior *p, bool words)
@@ -130,7 +130,8 @@ add_hyperparameter_rows(struct answer *r, const struct session *s,
 	}
 }
 
-/* Notes in how many draws the rock has two strengths, and how they differ. */
+/* States in how many draws the rock has two strengths, and how they differ: in
+ * the fields and, if `words`, in a note. */
 static void
 note_two_rock_strengths(struct answer *r, const struct posterior *p, bool words)
 {
@@ -221,8 +222,8 @@ build_draws_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* Returns the figure that the sentences are about: the first one named or,
- * without of=, the passing that predict's sentence is about. */
+/* Returns the quantity for the notes: the first of of= or, without of=, the
+ * passing of predict's first sentence. */
 static struct quantity
 choose_quantity_for_notes(const struct question *q, const struct args *args,
     const struct prediction *at, const struct quantity *named)
@@ -260,8 +261,8 @@ note_effect_of_feeds(struct answer *r, const struct session *s,
 		fields_put_values(answer_fields(r), "feeds_move_pct %g", shown);
 }
 
-/* Notes which next sample would narrow the band of a figure most, or that
- * better known speeds would. */
+/* Notes which next sample would narrow the band of a quantity most, or that
+ * more exact tip speeds would. */
 static void
 note_best_next_sample(struct answer *r, const struct session *s,
     const struct question *q, const struct quantity *of)
@@ -299,8 +300,8 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	    name, q->speed, best.speed, rpm, 100 * fmax(share, 0));
 }
 
-/* Notes what the errors of the stated speeds that are in the band move, if any
- * are. */
+/* Notes how far the errors of the stated speeds, which are in the band, move
+ * the product, if at all. */
 static void
 note_effect_of_speed_errors(struct answer *r, const struct session *s,
     const struct question *q, const struct posterior *p,
@@ -339,7 +340,8 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 	    "speed_sd_pct %g speeds_move_pct %g", 100 * sd, 100 * most);
 }
 
-/* Shows people the figures; with detail=, the table that programs get. */
+/* Builds the answer.  People see the figures or, with detail=on, the table of
+ * bands that programs always get. */
 static struct answer *
 build_uncertainty_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)

@@ -25,14 +25,15 @@
 #include "core/answer/mass_balance.h"
 #include "io/sitefile/units.h"
 
-/* Limits from which a number is worth a sentence. */
+/* Limits beyond which a number is worth a sentence. */
 static const double FEW = 0.05; /* share of the feed above the break size */
 static const double MOST_BREAKS = 0.85; /* share of what could break */
-static const double SAMPLING = 0.01; /* passing that sampling can tell apart */
-static const double STILL = 0.001;   /* passing that 1 m/s changes */
+static const double SAMPLING = 0.01;    /* smallest difference in passing that
+				      * samples can show */
+static const double STILL = 0.001;      /* change of passing by 1 m/s */
 
-/* What is explained: the answer for a site at a speed; rpm: that speed in
- * brackets. */
+/* What to explain: the prediction for a site at a speed.  rpm: that speed in
+ * rpm, in brackets, or "". */
 struct explained {
 	struct session *s;
 	const struct question *q;
@@ -134,8 +135,8 @@ say_if_speed_hardly_matters(const struct explained *a)
 		    "a class, and then jumps");
 }
 
-/* Says how much of the product is in the fraction asked about, and what a
- * faster rotor does to it. */
+/* If the question has a fraction, says how much of the product is in it, and
+ * how a faster rotor changes that. */
 static void
 say_share_in_fraction(const struct explained *a)
 {
@@ -227,8 +228,7 @@ say_trust_reason(const struct explained *a, const struct trust *t, size_t i)
 		answer_note(a->answer, "  what to do: %s", tr(REMEDY[cause]));
 }
 
-/* Says that there is nothing to worry about, before all that the answer rests
- * on. */
+/* If the light is green, says so first, and why. */
 static void
 say_trust_is_green(const struct explained *a, const struct trust *t)
 {
@@ -258,7 +258,8 @@ say_trust_is_green(const struct explained *a, const struct trust *t)
 		    100 * e->rmse, sqrt(e->size), e->cells, e->parameters);
 }
 
-/* The light that is not green, each reason with its number, and remarks. */
+/* States the light, unless it is green, with its reasons and the remarks, and
+ * puts it into the fields. */
 static void
 say_trust_light(const struct explained *a, const struct trust *t)
 {
@@ -375,7 +376,7 @@ size_class_text(const struct psd *feed, size_t i)
 	return xasprintf("%g/%g", finer, units_mm(feed->size[i]));
 }
 
-/* Adds the cells after that of the class: the feed, three for each speed, and
+/* Adds the cells to the right of the class: the feed, three for each speed, and
  * the change. */
 static void
 add_balance_cells(
@@ -388,8 +389,8 @@ add_balance_cells(
 	answer_add_cells(r, "%.1f", 100 * change);
 }
 
-/* For people: what stays in a class, broken or not, what leaves it and what
- * comes in, so that each row adds up to the feed and to the product. */
+/* For people: what stays in each class, broken or not, what leaves it and what
+ * comes in.  stay + left is the feed, stay + came the product. */
 static void
 add_balance_rows_for_people(struct answer *r, const struct mass_change *b)
 {
@@ -451,7 +452,8 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 {
 	const struct mass_balance *a = &b->of[0], *z = &b->of[1];
 	double more = z->broken - a->broken;
-	/* If less breaks, the classes are those where it falls most. */
+	/* The classes where the higher speed adds most to what leaves or
+	 * arrives. */
 	bool faster = b->p[1].speed > b->p[0].speed;
 	const struct mass_balance *low = faster ? a : z, *high = faster ? z : a;
 	size_t out = mass_balance_class_of_largest(high->left, low->left, a->n);
@@ -481,8 +483,8 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 	fields_put_values(answer_fields(r), "broken_change_pct %g", 100 * more);
 }
 
-/* Returns the largest difference between the answer's change and the model's,
- * and sets *sieve to where it is. */
+/* Returns the largest difference, with its sign, between the change of the
+ * answer and that of the model alone, and sets *sieve to its sieve, m. */
 static double
 largest_correction_of_change(const struct mass_change *b, double *sieve)
 {

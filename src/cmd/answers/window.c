@@ -17,8 +17,8 @@
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
 
-/* What was asked, and what was found.  detail: also what a reader who wants one
- * speed and its range can do without. */
+/* The conditions, the question, and the search for the speeds that meet them.
+ * detail: show more than one speed and its range. */
 struct window_request {
 	struct condition_list list;
 	const struct question *q;
@@ -27,7 +27,7 @@ struct window_request {
 	bool detail;
 };
 
-/* Takes the conditions of the session's goal if none are given. */
+/* Takes the conditions of the session's goal if the call has none. */
 static bool
 take_session_goal_conditions(
     struct session *s, struct window_request *a, struct error *error)
@@ -129,7 +129,8 @@ note_margin_to_limit(struct answer *r, const struct window_request *a)
 		    r, "nearest limit there: %s, %s away", limit, distance);
 }
 
-/* Whether the conditions hold somewhere, but at none of the site's runs. */
+/* True if the conditions hold at none of the site's speeds and the best speed
+ * is outside the training speeds. */
 static bool
 is_window_without_run(const struct window_request *a)
 {
@@ -178,8 +179,9 @@ note_if_window_extrapolated(struct answer *r, const struct window_request *a)
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
-/* The speeds at which the answer meets the conditions are about those that were
- * said to be certain, of which there may be none. */
+/* Notes the speeds at which the answer meets the conditions, unless the certain
+ * speeds already noted are about the same; with detail=on also what limits
+ * them. */
 static void
 note_speeds_in_window(struct answer *r, const struct window_request *a)
 {
@@ -244,8 +246,7 @@ put_window_fields(
 	put_binding_limits(o, a);
 }
 
-/* Notes the plot that shows the same, unless other speeds were searched than it
- * has. */
+/* Notes the plot that shows the same.  It has no from= and to=. */
 static void
 note_equivalent_plot(struct answer *r, const struct args *args)
 {

@@ -204,8 +204,8 @@ answers_speed_range_words(
 		     : xasprintf(tr("%g to %g %s"), low, high, unit);
 }
 
-/* Returns the multiples of one of the steps [n_step] between two values, of
- * the smallest that gives at most `most` of them [*n]. */
+/* Returns the multiples between two values of one of the steps [n_step]: the
+ * smallest one that gives at most `most` of them, [*n]. */
 static double *
 list_multiples_of_step(double from, double to, const double *steps,
     size_t n_step, size_t most, size_t *n)
@@ -282,9 +282,9 @@ answers_add_size_cell(struct answer *r, const struct prediction *p, size_t i)
 	answer_add_cells(r, "%.2f", answers_product_size_mm(p, i));
 }
 
-/* Adds "P50 2.81", or "P20 below 0.063 mm", to a list, whose first has the
- * unit; where there is a range, followed by " (2.75 to 2.90)", whose lower end
- * may lie below the finest sieve. */
+/* Appends "P50 2.81", or "P20 below 0.063 mm", to a list; only the first has
+ * its unit.  If there is a range, it follows: " (2.75 to 2.90)".  Its lower end
+ * may be below the finest sieve. */
 static void
 append_size_with_range(
     char **list, const struct psd *psd, size_t i, const double *range)
@@ -315,7 +315,7 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 	answer_note(r, "%s", sizes);
 }
 
-/* Notes which model it is, unless it is the paper's. */
+/* Notes the name of the model, unless it is the paper's. */
 static void
 note_model_if_not_of_paper(
     const struct session *s, struct answer *r, const struct entry *entry)
@@ -351,7 +351,7 @@ answers_known_speeds_text(
 	    slowest, rpm);
 }
 
-/* Notes what the sheet of the other feed does not state. */
+/* Notes what the sheet of another feed leaves open. */
 static void
 note_other_feed_unstated(struct answer *r, const struct entry *entry)
 {
@@ -371,7 +371,7 @@ note_other_feed_unstated(struct answer *r, const struct entry *entry)
 		    site->rock);
 }
 
-/* Notes about another feed or machine what title and light do not say. */
+/* Notes what neither title nor light say about another feed or machine. */
 static void
 note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 {
@@ -393,7 +393,7 @@ answers_warn_if_nothing_breaks(struct answer *r, const struct entry *entry)
 		answer_say(r, ANSWER_WARNING, "%s", tr(FIT_NOTHING_BREAKS));
 }
 
-/* Warns of a speed beyond the measured ones, unless the light does. */
+/* Warns of a speed beyond the measured ones, unless the light does so. */
 static void
 warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
     double speed, const struct trust *light)

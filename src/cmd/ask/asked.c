@@ -1,4 +1,5 @@
-/* Makes the simplest question about an entry; keeps what was last asked about.
+/* Makes the simplest question about an entry, and keeps what was last asked
+ * about.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/asked.h"
 

@@ -29,8 +29,8 @@ blended_add_feed(struct session *s, const char *file, double share,
 	return true;
 }
 
-/* Returns 0 for data that are made up, 1 if it is not stated, 2 if they were
- * measured. */
+/* Returns 0 if the data are made up, 1 if the sheet does not say, 2 if they
+ * were measured. */
 static int
 provenance_rank(const struct site *sheet)
 {
@@ -40,9 +40,9 @@ provenance_rank(const struct site *sheet)
 						       : 2;
 }
 
-/* Returns the first clauses of the provenances, each once; "" if no sheet
- * states any. The worst comes first, because the first word decides what the
- * blend counts as. */
+/* Returns the first clause of each provenance, each once; "" if no sheet states
+ * any.  The least trustworthy comes first, because the first word decides how
+ * the blend is classified. */
 static char *
 provenance_clauses(const struct blended *b)
 {
@@ -101,7 +101,7 @@ blended_mix_feeds(struct blended *b)
 	b->rock = join_rock_names(b);
 }
 
-/* Takes the feed of one sheet as it is. */
+/* Uses the feed of a single sheet as it is. */
 static bool
 read_feed_of_sheet(
     struct session *s, const char *file, struct blended *b, struct error *error)
@@ -137,7 +137,8 @@ check_share_and_add_feed(struct session *s, const char *at, size_t length,
 	return ok && blended_add_feed(s, file, share, b, error);
 }
 
-/* Reads FILE, or a blend with shares that sum to 1, into an empty struct. */
+/* Reads a feed from FILE, or a blend whose shares sum to 1, into an empty
+ * struct. */
 static bool
 read_feed_or_blend(
     struct session *s, const char *text, struct blended *b, struct error *error)

@@ -1,5 +1,5 @@
-/* Parses conditions and lists of conditions, writes them for people and for
- * programs, and searches for the speeds at which they hold.
+/* Parses conditions and lists of them, writes them for people and for programs,
+ * and searches for the speeds at which they hold.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/condition.h"
 
@@ -22,8 +22,7 @@
 
 static const char DIGITS[] = "0123456789";
 
-/* Words for the largest and the smallest value, and whether find understands
- * them. */
+/* Words for the largest and the smallest value; understood: by find. */
 static const struct extreme {
 	const char *word;
 	bool most, understood;
@@ -34,7 +33,7 @@ static const struct extreme {
     {"maximum ", true, false}, {"least ", false, false},
     {"lowest ", false, false}, {"minimum ", false, false}};
 
-/* Returns the word that a text begins with, or NULL. */
+/* Returns the extreme whose word the text begins with, or NULL. */
 static const struct extreme *
 find_extreme(const char *text)
 {
@@ -80,7 +79,8 @@ error_expected_condition(const char *text, struct error *error)
 	    text);
 }
 
-/* Sets the error for a limit that the quantity cannot have.  Returns false. */
+/* Sets the error for a limit outside the values that the quantity can have.
+ * Returns false. */
 static bool
 error_limit_out_of_range(const char *text, const struct quantity *q,
     double most, struct error *error)
@@ -106,7 +106,7 @@ error_expected_limit(
 	    unit[0] != '\0' ? unit : tr("numbers"), text);
 }
 
-/* Parses a number, which the quantity's unit may follow, as a value in core's
+/* Parses a number, after which the quantity's unit may follow, into core's
  * unit. */
 static bool
 parse_limit(const char *text, const struct quantity *q, double *limit,
@@ -130,8 +130,8 @@ parse_limit(const char *text, const struct quantity *q, double *limit,
 	return ok;
 }
 
-/* Returns what separates the two ends of a range, and its length; NULL if
- * there is only one number, which may begin with a minus. */
+/* Returns the text between the two ends of a range, and its length; NULL if
+ * there is only one number, which may begin with a minus sign. */
 static const char *
 find_range_sign(const char *text, size_t *length)
 {
@@ -196,7 +196,7 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 }
 
 /* Turns "58 % passes 2 mm", as answers put it, into "passing 2 mm = 58".
- * Returns NULL for other words.  The caller frees it. */
+ * Returns NULL for other texts.  The caller frees it. */
 static char *
 move_limit_to_end(const char *text)
 {
@@ -213,7 +213,7 @@ move_limit_to_end(const char *text)
 	return NULL;
 }
 
-/* Returns the text with a sign in place of words such as " at least ".  The
+/* Returns the text with words such as " at least " replaced by a sign.  The
  * caller frees it. */
 static char *
 replace_words_by_sign(const char *text)
@@ -235,8 +235,8 @@ replace_words_by_sign(const char *text)
 	return xstrdup(text);
 }
 
-/* Returns the quantity of a text in which a limit follows it after a blank,
- * and the condition; NULL of other texts.  The caller frees it. */
+/* For a text of a quantity, a space and a limit, returns the quantity as typed,
+ * and the condition; NULL for other texts.  The caller frees it. */
 static char *
 split_quantity_and_limit(
     const char *text, const struct fraction *fraction, struct condition *c)
@@ -255,9 +255,9 @@ split_quantity_and_limit(
 	return NULL;
 }
 
-/* Sets the error for a quantity and a limit without a sign between them, as it
- * is not known which sign is meant.  A size alone, "2 mm 42", is taken for
- * what passes it.  Returns false. */
+/* Sets the error for a quantity and a limit without a sign between them, as we
+ * cannot know which one is meant.  In "2 mm 42", the size is taken for what
+ * passes it.  Returns false. */
 static bool
 error_missing_limit_sign(
     const char *text, const struct fraction *fraction, struct error *error)
@@ -527,8 +527,9 @@ conditions_limit_text(const struct condition *at, struct wanted_limit limit)
 	return conditions_one_text(&one);
 }
 
-/* Returns them in rpm, "1319 to 1434", if the rotor is given, else in m/s:
- * "69.0 to 70.1 and 74.4", "74.42 to 74.47".  The caller frees it. */
+/* Returns the speeds in rpm, "1319 to 1434", if the rotor's diameter is not 0,
+ * otherwise in m/s: "69.0 to 70.1 and 74.4", "74.42 to 74.47".  The caller
+ * frees it. */
 static char *
 join_met_speeds(const struct speed_search *found, double rotor)
 {
@@ -560,8 +561,8 @@ conditions_met_speeds_text(
 	    found, answers_is_sheet_in_rpm(site) ? site->rotor : 0);
 }
 
-/* Returns ", up to the fastest asked" and the like, to be translated, for a
- * range with an end that is only that of the search; else "". */
+/* Returns a suffix such as ", up to the fastest asked", to be translated, if an
+ * end of the range is only that of the search; otherwise "". */
 static const char *
 search_end_suffix(
     const struct conditions_search *wanted, double from, double to)
@@ -589,8 +590,8 @@ conditions_met_speeds_with_units(
 			 : xasprintf(tr("%s m/s%s"), mps, ends);
 }
 
-/* Returns the distance of the value at the forecast's speed from the limit of
- * a margin, in the quantity's unit; negative if the limit is missed. */
+/* Returns the distance between the value at the forecast's speed and the limit
+ * of the margin, in the quantity's unit; negative if the limit is missed. */
 static double
 margin_in_quantity_unit(
     const struct conditions_search *wanted, struct margin margin)
@@ -644,8 +645,8 @@ conditions_put_list(struct fields *o, const struct conditions_search *wanted,
 	}
 }
 
-/* Adds a row for each condition.  People get the margin in the quantity's
- * unit, programs in points. */
+/* Adds a row for each condition.  For people, the margin is in the quantity's
+ * unit; for programs, in points. */
 static void
 add_condition_rows(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found, bool people)
@@ -731,8 +732,7 @@ conditions_note_feed_is_finer(struct answer *r,
 	return true;
 }
 
-/* As conditions_note_feed_is_finer, about the limit that the nearest speed
- * misses. */
+/* As conditions_note_feed_is_finer, for the limit missed at the best speed. */
 static bool
 note_feed_misses_limit(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found)
@@ -742,7 +742,7 @@ note_feed_misses_limit(struct answer *r, const struct conditions_search *wanted,
 	    r, wanted, &wanted->at[missed.i], missed.most);
 }
 
-/* Notes the limits that exclude slower and faster speeds than the nearest one.
+/* Notes the limits that exclude slower and faster speeds than the best one.
  * Nothing is known beyond the ends of the search. */
 static void
 note_conflicting_limits(struct answer *r,
@@ -794,8 +794,8 @@ conditions_nearest_measured_speed(
 	return isfinite(wanted->reach) && near > 0 && beyond ? near : NAN;
 }
 
-/* If the best speed lies beyond the measured ones, notes by how much the
- * nearest measured speed misses.  Leaves the forecast at the best speed. */
+/* If the best speed is beyond the measured ones, notes by how much the nearest
+ * measured speed misses.  Leaves the forecast at the best speed. */
 static void
 note_nearest_measured_speed(struct answer *r,
     const struct conditions_search *wanted, const struct speed_search *found)
@@ -854,8 +854,8 @@ conditions_note_why_unmet(struct answer *r,
 	}
 }
 
-/* Returns the end of the range around the best speed that lies farthest beyond
- * the measured speeds, or NAN if neither does. */
+/* Returns the end of the range around the best speed that is farther beyond the
+ * measured speeds, or NAN if neither end is beyond them. */
 static double
 farthest_extrapolated_end(
     const struct conditions_search *wanted, const struct speed_search *found)
@@ -900,8 +900,8 @@ conditions_show_basis(struct answer *r, const struct question *q,
 	trust_free(&far);
 }
 
-/* True if the slow or the fast end of the search is farther from the measured
- * speeds than answers can be relied on. */
+/* True if the slow or, if `fast`, the fast end of the search is so far beyond
+ * the measured speeds that answers there cannot be relied on. */
 static bool
 is_end_unreliable(const struct conditions_search *wanted, bool fast)
 {
@@ -909,8 +909,9 @@ is_end_unreliable(const struct conditions_search *wanted, bool fast)
 		    : wanted->from < wanted->measured[0] - wanted->reach;
 }
 
-/* Returns the end of a search as it can be typed: "100" or, if the sheet is in
- * rpm, the last multiple of ten before it, "2010 rpm".  The caller frees it. */
+/* Returns an end of the search as one would type it: "100", or "2010 rpm", the
+ * last multiple of ten inside it, if the sheet is in rpm.  The caller frees
+ * it. */
 static char *
 search_end_as_typed(const struct site *site, double speed, bool fastest)
 {
@@ -976,9 +977,9 @@ conditions_times_in_100_text(double share)
 			      : xasprintf(tr("%.0f times in 100"), 100 * share);
 }
 
-/* Returns "run at 73.3 m/s: they are most likely to be met there, over
- * 99 times in 100", or "best 84.9 m/s, .." where that is not to be relied
- * on. */
+/* Returns "run at 73.3 m/s: they are most likely to be met there, over 99 times
+ * in 100", or "best 84.9 m/s, .." if the answer there is not to be relied on.
+ * The caller frees it. */
 static char *
 speed_to_run_at_text(const struct conditions_search *wanted, bool several,
     const struct speed_search *w)
@@ -1011,7 +1012,8 @@ speed_to_run_at_text(const struct conditions_search *wanted, bool several,
 	return words;
 }
 
-/* Notes which speed to run at and which others will do. */
+/* Notes which speed to run at, and in which range the conditions hold with the
+ * probability of the band. */
 static void
 note_speed_to_run_at(struct answer *r, const struct conditions_search *wanted,
     bool several, const struct speed_search *w)
@@ -1045,8 +1047,8 @@ note_slowest_safe_speed(struct answer *r,
 		    w->safe, rpm);
 }
 
-/* Notes how certain speeds are where the answer meets the conditions at none.
- */
+/* If the answer meets the conditions at no speed, notes where they are most
+ * likely to hold. */
 static void
 note_certainty_where_unmet(struct answer *r,
     const struct conditions_search *wanted, const struct speed_search *w)

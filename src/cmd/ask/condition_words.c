@@ -1,4 +1,4 @@
-/* Joins the words of each condition, and of quantities, in a line.
+/* Joins the words of each condition in a line, and those of quantities.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/condition_words.h"
 
@@ -48,9 +48,9 @@ find_first_condition_word(const struct words *words)
 		   : 0;
 }
 
-/* Joins the words that continue the condition at word i, unless it is quoted.
- * For `set goal`, all conditions become one word, separated by commas; each of
- * them may be quoted. */
+/* Joins the words that continue the condition at word i, unless that was
+ * quoted.  In `set goal`, all conditions become one word, separated by commas,
+ * and each of them may have been quoted. */
 static void
 join_words_of_condition(struct words *words, size_t i)
 {
@@ -74,7 +74,7 @@ join_words_of_condition(struct words *words, size_t i)
 	words_replace_by_one(words, i, n, joined);
 }
 
-/* True if the last item of a list is a whole quantity: "passing 2", not
+/* True if the last item of a list is a complete quantity: "passing 2", not
  * "passing". */
 static bool
 is_last_quantity_complete(const char *text)
@@ -98,8 +98,8 @@ has_limit_among_words(const struct words *words)
 	return false;
 }
 
-/* Replaces the words that name quantities by "of=passing 2,P80", if the
- * command has them form its of=. */
+/* If the command can take quantities as plain words, replaces these by
+ * "of=passing 2,P80". */
 static void
 join_quantities_to_option(struct words *words)
 {
@@ -128,8 +128,8 @@ join_quantities_to_option(struct words *words)
 	words_replace_by_one(words, first, i - first, list);
 }
 
-/* Removes the comma after a condition, as in "passing 2 > 30, fines < 5": the
- * blank separates them already. */
+/* Removes the comma after a condition, as in "passing 2 > 30, fines < 5", where
+ * the space separates them already. */
 static void
 drop_comma_at_end(char *word)
 {

@@ -1,5 +1,5 @@
-/* Compares a cut with the band of a sample at its speed: sieves inside, RMSE,
- * and the sieve with the largest difference.
+/* Compares a cut with the band of one more sample at its speed: the sieves
+ * inside it, the RMSE, and the sieve with the largest difference.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/cut.h"
 
@@ -15,11 +15,11 @@
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/units.h"
 
-/* Careful samples agree to within this passing. */
+/* Careful samples agree to within this, as a passing. */
 static const double CAREFUL = 0.01;
 
 /* Returns the passings of a run's product at the sieves that crushing can
- * change, [*n].  The caller frees it. */
+ * change, [*n].  The caller frees them. */
 static struct quantity *
 sieves_that_crushing_changes(const struct run *r, size_t *n)
 {
@@ -37,7 +37,7 @@ struct cut
 cut_compare_with_prediction(
     const struct session *s, const struct entry *entry, size_t run)
 {
-	/* Half of the tenth of a point to which sheets are rounded. */
+	/* Half a tenth of a point: sheets are rounded to a tenth. */
 	const double rounding = 5e-4;
 	const struct run *r = &entry->site->run[run];
 	const struct question q = question_of_whole_product(s, entry, run);
@@ -60,8 +60,8 @@ cut_compare_with_prediction(
 			    passing <= at.high + rounding;
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
-	/* Errors of neighbouring sieves are alike, so chance alone may put half
-	 * of the sieves outside. */
+	/* Errors at neighbouring sieves are alike, so half of the sieves may be
+	 * outside by chance alone. */
 	bool half = 2 * c.inside < c.n, some = 4 * c.inside < 3 * c.n;
 	bool apart = c.rms > CAREFUL;
 	c.missed = c.n > 0 && (c.no_band ? c.rms > FIT_POOR : half && apart);
@@ -154,7 +154,7 @@ cut_day_month_order(const struct site *site)
 	return order;
 }
 
-/* Returns how many runs of a site have this product at this speed. */
+/* Returns how many runs of a site have the product and speed of this run. */
 static size_t
 count_runs_with_same_product(const struct site *site, const struct run *run)
 {

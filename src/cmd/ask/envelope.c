@@ -1,4 +1,4 @@
-/* Turns an envelope into conditions on a fraction and checks each against the
+/* Turns an envelope into conditions on a fraction, and compares each with the
  * forecast at a speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/envelope.h"
@@ -23,7 +23,7 @@ add_envelope_to_session(struct session *s, struct spec *spec)
 	return s->specs[s->n_spec++] = spec;
 }
 
-/* Returns the shipped envelope of that name if the session has it already. */
+/* Returns the shipped envelope of that name if the session has read it. */
 static const struct spec *
 find_envelope_in_session(const struct session *s, const char *name)
 {
@@ -88,12 +88,12 @@ envelope_find(struct session *s, const char *words, struct error *error)
 	return s->spec;
 }
 
-/* How the items begin that limit the modulus of a category, of which a buyer
- * chooses one. */
+/* The first words of limits on the modulus for one of several categories, of
+ * which the buyer chooses one. */
 static const char CATEGORY[] = "FM category ";
 
-/* Reads the fraction and the screens from the options; without cut=, the
- * fraction is that of the envelope. */
+/* Reads the fraction and the screens from the options.  Without cut=, the
+ * fraction is the envelope's own. */
 static bool
 parse_envelope_fraction(const struct args *args, const struct spec *spec,
     struct fraction *f, struct error *error)
@@ -116,8 +116,8 @@ begins_with_text(const char *text, const char *start)
 	return strncmp(text, start, strlen(start)) == 0;
 }
 
-/* Returns the fineness modulus by the envelope's standard if the envelope is
- * for a sand, or NULL. */
+/* Returns the fineness modulus that the envelope's standard defines, if the
+ * envelope is for a sand; otherwise NULL. */
 static const struct modulus *
 modulus_of_sand_standard(const struct spec *spec)
 {
@@ -130,8 +130,8 @@ modulus_of_sand_standard(const struct spec *spec)
 	return NULL;
 }
 
-/* Returns the first limit of a standard on an item that begins so or, given
- * one, the next; NULL after the last. */
+/* Returns the first limit of a standard on an item that begins with this text;
+ * with `after`, the next one; NULL after the last. */
 static const struct standard_limit *
 next_limit_of_standard(const struct standards *all, const char *standard,
     const char *item, const struct standard_limit *after)
@@ -144,7 +144,7 @@ next_limit_of_standard(const struct standards *all, const char *standard,
 	return NULL;
 }
 
-/* Returns the standard's limits on the modulus that are not those of a
+/* Returns the standard's limits on the modulus that do not belong to a
  * category, or NULL. */
 static const struct standard_limit *
 fineness_modulus_limit(const struct standards *all, const char *standard)
@@ -156,8 +156,8 @@ fineness_modulus_limit(const struct standards *all, const char *standard)
 	return NULL;
 }
 
-/* Returns the limit on what is retained between two neighbouring sieves, or
- * NULL. */
+/* Returns the standard's limit on the share retained between two neighbouring
+ * sieves, or NULL. */
 static const struct standard_limit *
 individual_retained_limit(const struct standards *all, const char *standard)
 {
@@ -222,7 +222,7 @@ envelope_error_no_sieve(const struct spec *spec, struct error *error)
 	    spec->name);
 }
 
-/* The fraction of the grading is set already. */
+/* g->spec and g->fraction are set already. */
 static bool
 open_forecast_of_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
@@ -303,7 +303,7 @@ find_worst_sieve(const struct grading *g)
 }
 
 /* Returns "fineness modulus (ASTM C136) 3.15 is above 3.1" for a limit that is
- * not on a sieve, with enough decimals to tell the two numbers apart. */
+ * not on a sieve.  The decimals suffice to tell the two numbers apart. */
 static char *
 missed_limit_text(const struct grading *g, size_t i)
 {
@@ -398,8 +398,9 @@ envelope_add_rows(struct answer *r, struct grading *g, double v)
 	}
 }
 
-/* Returns the verdict on a modulus by the standard's limits, or the categories
- * that it is in; NULL if the standard has neither.  The caller frees it. */
+/* Returns the verdict on a modulus by the standard's limits, or else the
+ * categories that it is in; NULL if the standard has neither.  The caller frees
+ * it. */
 static char *
 fineness_modulus_verdict(
     const struct standards *all, const struct spec *spec, double fm)
@@ -453,7 +454,7 @@ note_fineness_modulus(
 }
 
 /* Notes the largest share between two neighbouring sieves of the envelope, and
- * whether that is within the standard's limit. */
+ * whether it is within the standard's limit. */
 static void
 note_individual_retained(
     struct answer *r, const struct grading *g, const struct standards *all)

@@ -1,4 +1,4 @@
-/* The names of feeds; question.c chooses the feed (D19).
+/* Names feeds; question.c chooses them (D19).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/feed.h"
 
@@ -43,8 +43,8 @@ feed_sampling_speed(const struct site *site, size_t run)
 		   : NAN;
 }
 
-/* Returns "69, 74, 79", the speeds at which feeds were sampled, each once; in
- * rpm if the diameter of the rotor is not 0. */
+/* Returns "69, 74, 79", each speed once at which a feed was sampled; in rpm if
+ * the diameter of the rotor is not 0.  The caller frees it. */
 static char *
 sampling_speeds_text(const struct site *site, double diameter)
 {

@@ -1,5 +1,5 @@
-/* Assesses a fit by its null model, held-out runs and residuals, and puts its
- * parameters.
+/* Assesses a fit by its null model, its held-out runs and its residuals, and
+ * puts its parameters into answers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/fit.h"
 
@@ -11,8 +11,8 @@
 const char *const FIT_NOTHING_BREAKS =
     N_("the products are not measurably finer than the feed: there is nothing "
        "to calibrate on; is it their feed, and are these the right lines of "
-       "the sheet ('show data' has both)? if so, measure with a coarser feed "
-       "or at a higher speed");
+       "the sheet ('show feed' and 'show product' have them)? if so, measure "
+       "with a coarser feed or at a higher speed");
 
 bool
 fit_nothing_breaks(const struct entry *entry)
@@ -56,9 +56,10 @@ fit_holdout_rmse(const struct entry *entry)
 struct validation
 fit_find_outlier_cell(const struct entry *entry)
 {
-	/* With noise of 0.5 points, none of 38 sites has a difference of more
-	 * than 1.9 points; of 77 products with two digits changed by 9 points,
-	 * 67 have more than 4.  In a poor fit many cells are off. */
+	/* With noise of 0.5 points, no product of 38 sites had a difference of
+	 * more than 1.9 points; of 77 products in which two digits were changed
+	 * by 9 points, 67 had one of more than 4.  In a poor fit many cells are
+	 * off. */
 	double rmse = entry->fit.rmse;
 	double far_off = rmse > FIT_POOR ? fmax(0.04, 3 * rmse) : 0.04;
 	struct validation farthest = {.worst_difference = 0};
@@ -123,7 +124,8 @@ param_band_from_draws(const struct posterior *p, const struct session *s,
 		value[d] = params_value_by_name(&p->draw[d].params, name);
 	ensemble_middle_interval(
 	    value, settings_band_probability(&s->set), &range[0], &range[1]);
-	/* Only the direction of these matters, which no range shows. */
+	/* Only the direction of these parameters matters, which a range cannot
+	 * show. */
 	if (j < breakage_model_of_params(fit)->gauge)
 		range[0] = range[1] = NAN;
 }

@@ -1,4 +1,4 @@
-/* The only path from a question to numbers: a forecast with the draws of
+/* The only path from a question to numbers: a forecast that uses the draws of
  * outlook.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/forecast.h"
@@ -11,8 +11,8 @@
 #include "cmd/ask/asked.h"
 #include "cmd/ask/quantity_words.h"
 
-/* Whose draws a forecast has.  They are kept until another site or feed is
- * asked about. */
+/* Where a forecast gets its draws from.  They are cached until another site or
+ * feed is asked about. */
 struct draws_source {
 	const struct session *s;
 	const struct entry *entry;

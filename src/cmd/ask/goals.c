@@ -1,5 +1,5 @@
-/* Searches for the speeds that meet the goal, in parts, so a screen stays
- * responsive.
+/* Searches for the speeds that meet the goal, in parts, so that the screen
+ * keeps responding.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/goals.h"
 
@@ -50,8 +50,8 @@ is_single_value(const struct condition *c)
 	return c->least == c->most;
 }
 
-/* An envelope's limits of 100 to 100 % and 0 to 0 % are not single values to
- * reach: they become a lower or an upper limit. */
+/* An envelope's limits of 100 to 100 % and of 0 to 0 % are not values to reach:
+ * they become a lower and an upper limit. */
 static bool
 add_limits_of_named_envelope(struct session *s, const char *name,
     const struct psd *feed, struct condition_list *list, struct error *error)
@@ -139,7 +139,7 @@ goals_is_search_done(const struct session *s, const struct goal *g)
 	       g->found->done == g->found->n;
 }
 
-/* Finds the speeds at which the single value is met within the ranges. */
+/* Collects the speeds that give the single value within the ranges. */
 static void
 find_speeds_that_meet_goal(struct goal *g)
 {
@@ -149,8 +149,8 @@ find_speeds_that_meet_goal(struct goal *g)
 			g->met[g->n_met++] = g->found->root[k].speed;
 }
 
-/* Returns a speed at which the binding limit shows: an end of the window
- * within the search, or else the best speed. */
+/* Returns a speed at which the binding limit shows: an end of the window inside
+ * the search or, without one, the best speed. */
 static double
 speed_at_binding_limit(
     const struct goal *g, double best, double from, double to)
@@ -163,8 +163,8 @@ speed_at_binding_limit(
 	return best;
 }
 
-/* Returns the value that misses a condition, with enough digits to show that
- * it does. */
+/* Returns the value that misses a condition, with enough digits to tell it from
+ * the limit.  The caller frees it. */
 static char *
 missed_value_text(const struct condition *c, double value, bool most)
 {
@@ -187,8 +187,8 @@ missed_value_text(const struct condition *c, double value, bool most)
 	return words;
 }
 
-/* Finds which condition binds and, if no speed meets the goal, what misses
- * most. */
+/* Finds which condition binds and, if no speed meets the goal, which value
+ * stands in the way. */
 static void
 find_binding_condition(const struct session *s, const struct entry *entry,
     struct goal *g, struct conditions_search all)
@@ -210,7 +210,7 @@ find_binding_condition(const struct session *s, const struct entry *entry,
 		    margin.limit.most);
 }
 
-/* Reads the goal again, because another feed may not cover its sizes. */
+/* Parses the goal again, because another feed may not cover its sizes. */
 static void
 begin_goal_search(
     struct session *s, const struct site *site, struct goal *g, size_t feed)
@@ -279,10 +279,10 @@ goals_best_speed(const struct session *s, const struct goal *g, double speed)
 	return g->met[near];
 }
 
-/* Returns "70.8 to 78.0", "1413 to 1513" of a sheet in rpm, or, because an end
- * of the search is no limit of the product, "from 67.2 on".  at: write "at"
- * before two ends.  units: m/s, and rpm beside it if the site states the
- * rotor. */
+/* Returns "70.8 to 78.0", or "1413 to 1513" if the sheet is in rpm; "from 67.2
+ * on" if one end is only that of the search.  at: begin with "at" if there are
+ * two ends.  units: in m/s with its unit, and rpm beside it if the site states
+ * its rotor.  The caller frees it. */
 static char *
 goal_speed_range_text(const struct speed_search *found, double from, double to,
     bool at, const struct site *site, bool units)
@@ -308,7 +308,7 @@ goal_speed_range_text(const struct speed_search *found, double from, double to,
 }
 
 /* Returns "at 71.2", "at 65.0 to 70.1 and 73.0 to 75.6", or "" if no speed
- * meets the goal. */
+ * meets the goal.  The caller frees it. */
 static char *
 goal_met_speeds_text(const struct goal *g, const struct site *site, bool units)
 {
@@ -334,7 +334,7 @@ goal_met_speeds_text(const struct goal *g, const struct site *site, bool units)
 				      units ? " m/s" : "", rpm);
 }
 
-/* True if there is one window and the goal is certain at all of its speeds. */
+/* True if there is one range of speeds, and the goal is certain throughout. */
 static bool
 is_window_certain(const struct goal *g)
 {
@@ -343,9 +343,9 @@ is_window_certain(const struct goal *g)
 	       in->from >= g->found->sure[0] && in->to <= g->found->sure[1];
 }
 
-/* Returns "80 % certain 71.2 to 77.5"; in the longer forms without the speeds
- * if they are all that meet the goal; "" for a single value, without a band,
- * and if no speed meets the goal. */
+/* Returns "80 % certain 71.2 to 77.5"; the longer forms omit the speeds if they
+ * are all that meet the goal.  "" for a single value, without a band, or if no
+ * speed meets the goal.  The caller frees it. */
 static char *
 certain_speeds_text(const struct session *s, const struct goal *g,
     const struct site *site, enum goals_length length)
@@ -365,7 +365,8 @@ certain_speeds_text(const struct session *s, const struct goal *g,
 	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }
 
-/* Returns which part of the outcome lies beyond the measured speeds, or "". */
+/* Returns which part of the outcome is beyond the measured speeds, to be
+ * translated, or "". */
 static const char *
 extrapolated_part_text(
     const struct entry *entry, const struct goal *g, double best)
@@ -382,8 +383,8 @@ extrapolated_part_text(
 	return "";
 }
 
-/* Returns that no speed searched meets the goal, and the nearest one, which
- * GOALS_SHORT omits. */
+/* Returns that no speed in the search meets the goal and, except for
+ * GOALS_SHORT, which comes nearest.  The caller frees it. */
 static char *
 goal_met_nowhere_text(const struct site *site, const struct goal *g,
     double best, enum goals_length length)
@@ -401,9 +402,9 @@ goal_met_nowhere_text(const struct site *site, const struct goal *g,
 	return words;
 }
 
-/* Returns at which speeds the goal is met, and how certain that is; in the
- * shorter forms only the certain speeds; or the nearest speed if none meets
- * it. */
+/* Returns at which speeds the goal is met and how certain that is, or in the
+ * shorter forms only the certain speeds; if no speed meets it, the nearest one.
+ * The caller frees it. */
 static char *
 goal_outcome_text(const struct session *s, const struct entry *entry,
     const struct goal *g, double speed, enum goals_length length)

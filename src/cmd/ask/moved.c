@@ -1,5 +1,5 @@
-/* Moves measured products to a feed and caches those of one site and feed,
- * because each step of a slider shows them.
+/* Moves measured products to a feed, and caches those for one site and feed,
+ * because each step of the slider shows them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/moved.h"
 
@@ -14,16 +14,17 @@
 #include "cmd/ask/screened.h"
 #include "cmd/ask/asked.h"
 
-/* The products of one site, feed, parameters and settings.  product, most [n]:
- * the moved product of each run that was asked for, and its largest move. */
+/* The moved products of one site, for one feed, parameters and settings. */
 struct moved {
 	const struct site *site;
 	uint64_t digest;
 	const struct posterior *posterior;
-	struct params drawn; /* its first draw, because addresses are reused */
+	struct params drawn; /* the first draw, because addresses are reused */
 	struct params params;
 	struct model_settings settings;
 	size_t feed, n;
+	/* For each run [n] that was asked for: its moved product, and the
+	 * largest change of a passing. */
 	struct psd *product;
 	double *most;
 };
@@ -51,7 +52,7 @@ moved_products_free(struct moved *m)
 	free(m);
 }
 
-/* Opens a forecast of the passings of sieves at a speed. */
+/* Opens a forecast of the passings at these sieves, at a speed. */
 static struct forecast *
 open_forecast_of_passings(const struct session *s, const struct question *q,
     const struct psd *sieves, double speed)
@@ -65,7 +66,7 @@ open_forecast_of_passings(const struct session *s, const struct question *q,
 	return f;
 }
 
-/* Keeps passings between 0 and 1, and falling with the size. */
+/* Keeps passings between 0 and 1, and no larger at a finer sieve. */
 static void
 compute_moved_product(struct moved *m, const struct session *s,
     const struct entry *entry, size_t run)

@@ -1,5 +1,6 @@
-/* Draws the posterior on first use and caches it with the calibration; chooses
- * the runs that inform an answer by the setting correction.
+/* Draws the posterior when it is first needed and caches it with the
+ * calibration; chooses the runs that correct an answer by the setting
+ * correction.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/outlook.h"
 
@@ -13,9 +14,9 @@
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 
-/* Returns the runs of the calibration that inform an answer, [n_run], which
- * the caller frees.  place: out, the index of their posterior and evidence in
- * the history. */
+/* Returns which runs of the calibration inform an answer [n_run].  The caller
+ * frees it.  *place: the index of their posterior and evidence in the history.
+ */
 static bool *
 mark_runs_that_inform(
     const struct history *h, enum correction correction, size_t *place)
@@ -40,8 +41,8 @@ correction_in_use(const struct session *s, const struct entry *entry)
 				       : s->set.correction;
 }
 
-/* Returns which runs inform the entry's answers: the training runs if these
- * are the model alone. */
+/* Returns which runs inform the entry's answers, or the training runs if
+ * answers are those of the model alone. */
 static enum correction
 which_runs_inform_comparison(const struct session *s, const struct entry *entry)
 {
@@ -58,7 +59,7 @@ mark_runs_that_inform_answers(
 	    which_runs_inform_comparison(s, entry), place);
 }
 
-/* Returns the options for drawing the posterior of the runs in `use`
+/* Returns the options for drawing the posterior given the runs in `use`
  * [n_run]. */
 static struct posterior_options
 posterior_options_of_runs(
@@ -84,9 +85,9 @@ can_sample_posterior(const struct entry *entry)
 	       fit->stop != CALIBRATE_STOPPED;
 }
 
-/* Draws the posterior at a place of the history, or continues to, until it is
- * complete or `stop` says that the user is waiting.  steps: at most so many;
- * 0: all. */
+/* Draws the posterior for `place` in the history, or continues with it, until
+ * it is complete or `stop` says that the user is waiting.  steps: the most to
+ * take; 0 for no limit. */
 static void
 sample_posterior_steps(const struct session *s, const struct entry *entry,
     const bool *use, size_t place, size_t steps)
@@ -117,7 +118,7 @@ sample_posterior_steps(const struct session *s, const struct entry *entry,
 	h->drawing = NULL;
 }
 
-/* Returns the draws, or NULL if they are not complete after these steps. */
+/* Returns the posterior, or NULL if it is not complete after these steps. */
 static const struct posterior *
 posterior_after_steps(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
@@ -186,8 +187,9 @@ evidence_on_calibration(const struct session *s, const struct entry *entry)
 	bool first = *e == NULL;
 	if (first)
 		*e = xcalloc(1, sizeof **e);
-	/* Draws that were stopped may be complete by now.  The evidence is
-	 * filled in again in place, because callers hold its address. */
+	/* If the draws were stopped last time, they may be complete now.  The
+	 * evidence is then filled in again at the same address, because callers
+	 * hold it. */
 	if (first || (p != NULL && isnan((*e)->discrepancy)))
 		**e = trust_gather_evidence(
 		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
@@ -227,7 +229,7 @@ has_poor_fit(const struct session *s, const struct entry *entry)
 	return e != NULL && trust_is_band_impossible(e->rmse, e->speeds);
 }
 
-/* True if the settings are those of the fit. */
+/* True if the model's settings are those of the fit. */
 static bool
 has_settings_of_fit(const struct session *s, const struct entry *entry)
 {
@@ -248,7 +250,8 @@ model_settings_of_answer(const struct session *s, const struct entry *entry)
 	return settings;
 }
 
-/* Returns the posterior behind answers, or NULL if they are the model alone. */
+/* Returns the posterior behind the entry's answers, or NULL if these are those
+ * of the model alone. */
 static const struct posterior *
 posterior_unless_model_alone(const struct session *s, const struct entry *entry)
 {

@@ -1,5 +1,5 @@
-/* The basis of a site's predictions: its parameters alone, or with draws from
- * the posterior of the calibration that found them.
+/* Where a site's predictions come from: its parameters alone, or also draws
+ * from the posterior of the calibration that found them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_OUTLOOK_H
 #define TIPSPEED_CMD_ASK_OUTLOOK_H
@@ -10,102 +10,105 @@
 #include "core/answer/predict.h"
 #include "io/formats/answer.h"
 
-/* Returns which runs inform the entry's answers, as set or as the question
- * says. */
+/* Returns which runs correct the model in the entry's answers: as the question
+ * says, or else as set. */
 enum correction correction_in_use(
     const struct session *s, const struct entry *entry);
 
-/* Returns the posterior, informed by all measured runs or only by the training
- * runs, of the calibration that found the entry's parameters, on this site or
- * another.  The first call draws it, which takes 0.1 s.  NULL if no calibration
- * in this session found them, if it had too few data, or if the user stopped
- * it. */
+/* Returns the posterior of the calibration that found the entry's parameters,
+ * on this site or another, given all measured runs or only the training runs.
+ * The first call draws it, which takes 0.1 s.  NULL if no calibration in this
+ * session found them, if it had too few data, or if the user stopped it or the
+ * drawing. */
 const struct posterior *posterior_of_calibration(const struct session *s,
     const struct entry *entry, enum correction correction);
 
-/* Draws the posterior of the training runs and returns it without caching it.
- * May be called in several threads at once.  NULL also if answers are the model
- * alone.  Free with posterior_free. */
+/* Draws the posterior given the training runs, and does not cache it.  May run
+ * in several threads at once.  NULL as for posterior_of_calibration, and if
+ * answers are those of the model alone.  Free with posterior_free. */
 struct posterior *posterior_new_of_training_runs(
     const struct session *s, const struct entry *entry);
 
-/* Draws a part of the posterior that posterior_for_comparison returns.
- * Returns true if all of it is drawn or there is nothing to draw from. */
+/* Draws a part of the posterior that posterior_for_comparison returns.  Returns
+ * true once it is complete, or if there is nothing to draw from. */
 bool posterior_sample_a_part(
     const struct session *s, const struct entry *entry);
 
-/* Returns the posterior of the runs set to inform answers, or that of the
- * training runs if answers are the model alone. */
+/* Returns the posterior given the runs that correct the model or, if answers
+ * are those of the model alone, given the training runs. */
 const struct posterior *posterior_for_comparison(
     const struct session *s, const struct entry *entry);
 
-/* Returns the posterior of a calibration, for comparison with cuts that it has
- * not seen: that of posterior_for_comparison or, with training_only,
- * that of the training runs.  NULL if answers lack a band for a reason other
- * than `set correction off`. */
+/* Returns the posterior of a calibration, for comparison with cuts that it did
+ * not use: the one given the training runs if training_only is true, otherwise
+ * that of posterior_for_comparison.  NULL if answers have no band for a reason
+ * other than `set correction off`. */
 const struct posterior *posterior_for_unseen_cuts(
     const struct session *s, const struct entry *entry, bool training_only);
 
-/* Returns the evidence on the calibration that found the entry's parameters,
- * from the runs that inform the answers, or NULL if no calibration in this
- * session did.  Cached with the calibration. */
+/* Returns the evidence about the calibration that found the entry's parameters,
+ * from the runs that correct the model; NULL if no calibration in this session
+ * found them.  Cached with the calibration. */
 const struct evidence *evidence_on_calibration(
     const struct session *s, const struct entry *entry);
 
-/* As evidence_on_calibration, but for a calibrated entry and without draws. */
+/* As evidence_on_calibration, but for an entry that has a fit, and without
+ * draws. */
 struct evidence evidence_without_draws(
     const struct session *s, const struct entry *entry);
 
-/* Returns the largest difference, passing 0..1, between the feed of that run
- * and the most similar feed that informs the answers.  Call it only if
- * evidence_on_calibration is not NULL. */
+/* Returns the largest difference, passing 0..1, between the feed of a run and
+ * the most similar feed of the runs that correct the model.  Call it only if
+ * evidence_on_calibration does not return NULL. */
 double difference_from_nearest_feed(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
-/* Returns the products of the draws for the entry's feed of that run, at
- * predict_table_sizes, or NULL without draws, if answers are the model alone,
- * or for a fit made with other settings.  Cached until another is requested. */
+/* Returns the products of the draws for the feed of a run, at the sizes of
+ * predict_table_sizes.  NULL without draws, if answers are those of the model
+ * alone, or if the fit was made with other settings.  Cached until another is
+ * requested. */
 struct ensemble *ensemble_for_answers(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
-/* Returns the current settings, with the changes for another machine. */
+/* Returns the current settings of the model, with the changes that the question
+ * makes to the machine. */
 struct model_settings model_settings_of_answer(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior behind the entry's answers with these parameters, or
- * NULL if they are the model alone. */
+ * NULL if they are those of the model alone. */
 const struct posterior *posterior_for_answers(const struct session *s,
     const struct entry *entry, const struct params *params);
 
-/* Returns the crusher for the entry's answers, for any feed, with classes
+/* Returns the crusher behind the entry's answers, for any feed, with classes
  * between sizes [n].  Free with crusher_free. */
 struct crusher *crusher_new_for_answers(const struct session *s,
     const struct entry *entry, const double *size, size_t n);
 
-/* Returns why there is no band, as a sentence.  Do not call it if there is a
- * band. */
+/* Returns a sentence that says why there is no band.  Do not call it if there
+ * is one. */
 const char *band_why_none(const struct session *s, const struct entry *entry);
 
-/* Sets the error that there is no band, and what to do for one.  Returns
- * false. */
+/* Sets the error that says why there is no band, and what to do to get one.
+ * Returns false. */
 bool band_error_none(
     const struct session *s, const struct entry *entry, struct error *error);
 
-/* Returns which runs inform the answer, in words for a heading or a title:
+/* Returns which runs correct the model, in words for a heading or a title:
  * "model corrected by all measured runs", "model corrected by the training
  * runs" or "the model alone". */
 const char *correction_in_words(
     const struct session *s, const struct entry *entry);
 
-/* Notes what low and high mean, for parameters or a product, and which runs
- * correct a product.  With another site's parameters, they show what that
- * site's data leave open, not how the two sites differ. */
+/* Notes what low and high mean for parameters or a product and, for a product,
+ * which runs correct the model.  With another site's parameters, the range
+ * shows how uncertain they are there, not how the two sites differ. */
 void band_note_meaning(struct answer *r, const struct session *s,
     const struct entry *entry, bool product);
 
-/* Returns the words of correction_in_words to follow a name in a
- * legend: ", all runs"; ", training runs"; ", model" if the model alone was
- * requested; "" if the prediction is the model alone without such a request. */
+/* Returns correction_in_words in short, to follow a name in a legend: ", all
+ * runs" or ", training runs"; ", model" if the user asked for the model alone;
+ * "" if the prediction is that of the model alone for another reason. */
 const char *correction_in_legend(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 

@@ -1,5 +1,5 @@
-/* A pin holds the prediction itself, which therefore does not change when the
- * site is calibrated again.
+/* A pin holds the prediction itself, so it does not change when the site is
+ * calibrated again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/pin.h"
 
@@ -35,7 +35,7 @@ unpin_prediction(struct session *s, const char *word, struct error *error)
 	return true;
 }
 
-/* During a calibration, pins a prediction with the best parameters so far. */
+/* While a calibration runs, pins a prediction of the best parameters so far. */
 static bool
 pin_prediction(struct session *s, const struct args *args, struct question *q,
     struct error *error)

@@ -5,8 +5,8 @@
 
 #include "cmd/session/session.h"
 
-/* site, key: those of the prediction; the site may no longer be loaded or may
- * now have another key. */
+/* A pinned prediction, with the site that it is for and its key.  The site may
+ * have been unloaded since, or have another key. */
 struct pin {
 	const struct site *site;
 	char *key;

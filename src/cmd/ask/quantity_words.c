@@ -1,5 +1,5 @@
-/* Parses typed quantities, writes them for people and as keys with units, and
- * checks that the feed covers them.
+/* Parses quantities as typed, writes them for people and as keys with units,
+ * and checks that the feed covers them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/quantity_words.h"
 
@@ -16,7 +16,8 @@
 
 static bool error_expected_quantity(const char *text, struct error *error);
 
-/* Parses a size in mm, which "mm" may follow, or the name of a sieve. */
+/* Parses a size in mm, with or without "mm" after it, or the name of a sieve.
+ */
 static bool
 parse_size_mm(const char *text, double *m)
 {
@@ -54,8 +55,8 @@ quantities_parse_fraction(
 	return true;
 }
 
-/* These parse the quantities of KINDS.  text: all that was typed, for the
- * error; rest: what follows the kind's word. */
+/* These functions parse the quantities of KINDS.  text: all that was typed, for
+ * the error; rest: what follows the word of the kind. */
 static bool
 parse_passing_quantity(
     const char *text, const char *rest, struct quantity *q, struct error *error)
@@ -113,16 +114,16 @@ expect_end_of_quantity(
 	return rest[0] == '\0' || error_expected_quantity(text, error);
 }
 
-/* How each kind is written: for people, as a key, as typed, and with which
- * unit. %s: see quantity_argument_text.  word: how the typed quantity begins,
- * or NULL; read: parses the rest; NULL: the kind cannot be typed.  examples:
- * what may be typed, as errors name it; offers: what completion of a goal
- * offers. */
 enum { OFFERS = 3 };
 static const struct {
+	/* How the kind is written: for people, as a key, as typed, and with
+	 * which unit; %s stands for quantity_argument_text.  word: how it
+	 * begins when typed, or NULL. */
 	const char *words, *key, *typed, *unit, *word;
+	/* Parses what follows the word; NULL if the kind cannot be typed. */
 	bool (*read)(const char *text, const char *rest, struct quantity *q,
 	    struct error *error);
+	/* What errors suggest to type, and what completion of a goal offers. */
 	const char *examples, *offers[OFFERS];
 } KINDS[] = {
     [QUANTITY_SIZE] = {"%s", "p%s", "p%s", " mm", NULL, parse_size_at_passing,
@@ -166,9 +167,9 @@ quantities_completion_offer(size_t n)
 	return NULL;
 }
 
-/* Returns what follows the kind's word, without blanks, or NULL if the text
- * does not begin with it.  After the word of a kind without argument nothing
- * may follow. */
+/* Returns what follows the kind's word and spaces, or NULL if the text does not
+ * begin with that word.  Nothing may follow the word of a kind without
+ * argument. */
 static const char *
 text_after_kind_word(const char *text, enum quantity_kind kind)
 {
@@ -181,8 +182,8 @@ text_after_kind_word(const char *text, enum quantity_kind kind)
 	return text + n + strspn(text + n, " _-");
 }
 
-/* Returns the kind with the longest word at the beginning of a text.  Without
- * one, a text with "/" is a fraction, and any other a size such as P80. */
+/* Returns the kind whose word the text begins with, the longest of several.
+ * Without one, a text with "/" is a fraction, any other a size such as P80. */
 static enum quantity_kind
 find_quantity_kind(const char *text, const char **rest)
 {
@@ -341,7 +342,7 @@ quantity_argument_text(const struct quantity *q, enum form form)
 	}
 }
 
-/* Returns words of KINDS with the argument in place of %s.  The caller frees
+/* Returns words of KINDS with %s replaced by the argument.  The caller frees
  * it. */
 static char *
 put_argument_into_quantity_name(

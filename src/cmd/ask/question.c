@@ -1,4 +1,4 @@
-/* The only place that makes questions from the options of a call.
+/* Makes questions from the options of a call.  No other place does.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/question.h"
 
@@ -61,7 +61,7 @@ copy_site_with_scenario(const struct site *own, const struct scenario *w)
 	return site;
 }
 
-/* If the scenario changes anything, makes the question one about a changed
+/* If the scenario changes anything, turns the question into one about a changed
  * copy of its entry. */
 static void
 apply_scenario(const struct session *s, struct question *q)
@@ -111,8 +111,8 @@ question_free(struct session *s, struct question *q)
 	free(changed->train);
 }
 
-/* Reads the speed from speed= or rpm=; without them, takes the default
- * speed. */
+/* Reads the speed from speed= or rpm=, or takes the default if neither is
+ * given. */
 static bool
 parse_speed_or_rpm(
     const struct args *args, struct question *q, struct error *error)
@@ -154,8 +154,8 @@ parse_feed_value(const char *text)
 	return value;
 }
 
-/* Returns the value of feed= or, if it is not given, of the setting; an empty
- * one if the command has no such option. */
+/* Returns the value of feed= or, if that is not given, of the setting; an empty
+ * value if the command has no such option. */
 static struct value
 feed_option_or_setting(const struct session *s, const struct args *args)
 {
@@ -166,7 +166,7 @@ feed_option_or_setting(const struct session *s, const struct args *args)
 			 args->feed != NULL ? args->feed : s->set.feed);
 }
 
-/* Reads the sheets that feed= or the setting names, if any. */
+/* Reads the sheets that feed= or the setting names, if they name any. */
 static bool
 read_named_feeds(struct session *s, const struct args *args, struct question *q,
     struct error *error)
@@ -183,7 +183,7 @@ read_named_feeds(struct session *s, const struct args *args, struct question *q,
 	return q->scenario.feed != NULL;
 }
 
-/* Reads sieves=, which the feeds must cover. */
+/* Reads sieves=.  The feeds must cover them. */
 static bool
 parse_sieves_option(
     const struct args *args, struct question *q, struct error *error)
@@ -208,8 +208,9 @@ parse_sieves_option(
 	return ok;
 }
 
-/* Reads cut= and the screens; cut=off is the whole product.  With an envelope,
- * screens may be described without cut=: its fraction is meant. */
+/* Reads cut= and the screens; cut=off means the whole product.  With an
+ * envelope, screens may be described without cut=, because its fraction is
+ * meant. */
 static bool
 parse_fraction_options(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
@@ -223,7 +224,7 @@ parse_fraction_options(const struct session *s, const struct args *args,
 }
 
 /* Applies the scenario, and reads the options that need no file: the speeds,
- * the run with the feed, and the fraction. */
+ * the feed's run, and the fraction. */
 static bool
 read_question_without_files(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
@@ -288,11 +289,12 @@ question_read_and_answer(struct session *s, const struct args *args,
 	return ok;
 }
 
-/* The question about the current site with the feed of `set feed`.  of: a copy
- * of the loaded entry, to see whether it has changed; text: the setting. */
+/* A cached question about the current site with the feed of `set feed`. */
 struct site_with_feed {
+	/* A copy of the loaded entry, to see whether it has changed. */
 	struct entry of;
 	struct question q;
+	/* The setting. */
 	char *text;
 };
 
@@ -309,7 +311,7 @@ question_free_cached(struct session *s)
 	free(a);
 }
 
-/* Returns the feed from the sheets in `set feed`, or NULL if it names none. */
+/* Returns the feed in the sheets of `set feed`, or NULL if it names none. */
 static const struct blended *
 read_feed_set_by_user(struct session *s)
 {
@@ -349,8 +351,8 @@ question_site_with_feed_setting(struct session *s)
 	return q->entry;
 }
 
-/* Returns speeds [*n] in steps of 1 m/s or, for a sheet in rpm, of round
- * rpm. */
+/* Returns speeds [*n] in steps of 1 m/s or, if the sheet is in rpm, at round
+ * rpm.  The caller frees them. */
 static double *
 list_every_round_speed(
     const struct site *site, double from, double to, size_t *n)
@@ -366,9 +368,9 @@ list_every_round_speed(
 	return at;
 }
 
-/* Returns speeds and the measured ones from `from` to `to`, in order [*n], with
- * room for one more.  A measured one replaces what is nearer to it than
- * `same`. */
+/* Returns the speeds and the measured ones between `from` and `to`, sorted
+ * [*n], with room for one more.  A measured speed replaces those that differ
+ * from it by less than `same`.  The caller frees it. */
 static double *
 merge_with_measured_speeds(const struct site *site, const double *speed,
     size_t n_speed, double from, double to, double same, size_t *n)
@@ -392,7 +394,8 @@ merge_with_measured_speeds(const struct site *site, const double *speed,
 	return at;
 }
 
-/* Returns round speeds, the measured ones and the last one asked about [*n]. */
+/* Returns round speeds, the measured ones, and the one last asked about, sorted
+ * [*n].  The caller frees them. */
 static double *
 list_round_and_measured_speeds(
     const struct site *site, double from, double to, double last, size_t *n)
@@ -428,7 +431,7 @@ question_use_default_speeds(
 	    site, from, to, s->last_asked.speed, &q->n_at);
 }
 
-/* Speeds of a range in rpm, too, have equal steps only roughly. */
+/* The steps of a range in rpm are only roughly equal. */
 void
 question_add_measured_speeds_to_range(struct question *q)
 {

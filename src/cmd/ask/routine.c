@@ -1,5 +1,5 @@
-/* Orders the cuts by date, takes the residuals at the sieves that crushing can
- * change, and charts them (drift_run_charts).
+/* Sorts the cuts by date, computes the residuals at the sieves that crushing
+ * can change, and charts them (drift_run_charts).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/routine.h"
 
@@ -23,8 +23,8 @@ const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",
     [DRIFT_FLATTER] = N_("flatter"),
     [DRIFT_STEEPER] = N_("steeper")};
 
-/* Sets the date of a cut in words and seconds.  order: which number of a date
- * such as 5/11/2026 is the day. */
+/* Sets the date of a cut, in words and in seconds.  order: which number of a
+ * date such as 5/11/2026 is the day. */
 static void
 set_date_of_cut(struct routine_cut *c, const struct site_note *note,
     enum datetime_order order)
@@ -38,9 +38,9 @@ set_date_of_cut(struct routine_cut *c, const struct site_note *note,
 		c->when[strcspn(c->when, " ")] = '\0';
 }
 
-/* True if a run is a routine cut.  A run that the calibration had is one only
- * if a note says so and it was held out; *seen is then true, and the training
- * runs predict it. */
+/* True if a run is a routine cut.  One that was there at the calibration is a
+ * routine cut only if a note says so and it was held out; *seen is then true,
+ * because the training runs alone must predict it. */
 static bool
 is_routine_cut(const struct entry *entry, size_t run, bool *seen)
 {
@@ -59,7 +59,7 @@ is_routine_cut(const struct entry *entry, size_t run, bool *seen)
 	return noted ? !trained : entry->has_fit && !*seen;
 }
 
-/* Returns the index of the cut's note in the site: notes are in the order in
+/* Returns the index of the cut's note in the site.  Notes are in the order in
  * which the cuts were added. */
 static size_t
 index_of_cut_note(const struct site *site, const struct routine_cut *c)
@@ -181,7 +181,8 @@ run_control_charts(struct routine *r)
 		free(residuals[j]);
 }
 
-/* Counts how many of the last cuts are on the same side of the prediction. */
+/* Counts how many of the last cuts in a row are on the same side of the
+ * prediction. */
 static void
 count_cuts_on_one_side(struct routine *r)
 {
@@ -194,7 +195,7 @@ count_cuts_on_one_side(struct routine *r)
 	}
 }
 
-/* Finds the sieve of the last cut at which these cuts differ most. */
+/* Finds the sieve at which these last cuts differ most from the prediction. */
 static void
 find_sieve_of_largest_shift(struct routine *r)
 {

@@ -1,4 +1,4 @@
-/* Computes a fraction of a measured product with the partition curve
+/* Computes a fraction of a measured product by the partition curve
  * (core/psd/screening.h), and its share of the product.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/screened.h"
@@ -11,8 +11,8 @@
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
-/* Crushing makes nothing coarser: if all of the feed passes the finer of two
- * ideal screens, so does the product, and the fraction is empty. */
+/* Returns false with an error if all of the feed passes the finer of two ideal
+ * screens: crushing makes nothing coarser, so the fraction is empty. */
 static bool
 check_feed_exceeds_fraction(const struct fraction *fraction,
     const struct psd *feed, struct error *error)
@@ -38,7 +38,7 @@ screened_check_feed_covers(const struct question *q, struct error *error)
 	       check_feed_exceeds_fraction(&q->fraction, feed, error);
 }
 
-/* share: out, the fraction's share of the product. */
+/* Returns the fraction, and its share of the product in *share. */
 static struct psd
 screen_measured_product(
     const struct psd *product, const struct fraction *fraction, double *share)

@@ -7,16 +7,16 @@
 #include "core/answer/predict.h"
 #include "core/psd/quantity.h"
 
-/* Returns false with an error if the question's feed does not cover its
- * fraction. */
+/* Returns false with an error if the question's feed does not cover the sizes
+ * of its fraction. */
 bool screened_check_feed_covers(const struct question *q, struct error *error);
 
-/* Returns that fraction of a measured product.  Free with psd_free. */
+/* Returns a fraction of a measured product.  Free with psd_free. */
 struct psd screened_fraction_of_product(
     const struct psd *product, const struct fraction *fraction);
 
-/* Returns a quantity of a measured product, or NAN if its sieves do not cover
- * it. */
+/* Returns the value of a quantity for a measured product, or NAN if its sieves
+ * do not cover it. */
 double screened_quantity_of_product(
     const struct psd *product, const struct quantity *q);
 
@@ -24,9 +24,9 @@ double screened_quantity_of_product(
  * it. */
 char *screened_title_suffix(const struct fraction *fraction);
 
-/* screened_note_share adds a sentence with the fraction's share of the product;
- * screened_put_fields puts the fields "fraction" and "share_pct".  Neither does
- * anything for the whole product. */
+/* screened_note_share adds a sentence that says how much of the product the
+ * fraction is; screened_put_fields puts the fields "fraction" and "share_pct".
+ * Neither does anything for the whole product. */
 void screened_note_share(struct answer *r, const struct prediction *p);
 void screened_put_fields(struct fields *o, const struct prediction *p);
 

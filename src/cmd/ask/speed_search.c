@@ -1,5 +1,5 @@
-/* Fills a table over the tenths of a m/s, and reads ranges, roots and the best
- * speed off it.
+/* Computes margins at every tenth of a m/s, and then reads ranges, roots and
+ * the best speed off that table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/speed_search.h"
 
@@ -18,20 +18,21 @@ enum { DRAWS = POSTERIOR_DRAWS };
 /* A limit counts as met if it is missed by no more than rounding errors. */
 static const double EXACT = 1e-9;
 
-/* What is shown as 100.0 % or 0.0 % counts as all or nothing. */
+/* What is shown as 100.0 % or 0.0 % counts as 100 or 0 %. */
 static const double ROUNDS = 5e-4;
 
-/* A band is no narrower than the rounding of sheets. */
+/* Margins are divided by no narrower band than this passing, the rounding of
+ * sheets. */
 static const double NARROW = 1e-3;
 
-/* Shares of the draws that differ by less may do so by chance. */
+/* Two shares of the draws that differ by less may do so by chance. */
 static const double CHANCE = 0.02;
 
-/* Farther than any two speeds lie apart, m/s. */
+/* More than any two speeds are apart, m/s. */
 static const double FAR = 1e3;
 
-/* The certainty that is required of a slow speed, chosen for less energy and
- * wear. */
+/* The probability required of the slowest safe speed, which is chosen to save
+ * energy and wear. */
 static const double SAFE = 0.95;
 
 static const struct wanted_limit NONE = {SIZE_MAX, false};
@@ -81,9 +82,9 @@ wanted_from_question(const struct session *s, const struct question *q,
 	return w;
 }
 
-/* Returns a number by which margins compare.  A limit that is missed ranks
- * below all that hold, by the points that it is missed by, because a wide band
- * does not make a miss smaller. */
+/* Returns a number that ranks margins.  A missed limit ranks below all that
+ * hold, by the points by which it is missed: a wide band does not make a miss
+ * smaller. */
 static double
 margin_rank(struct margin m)
 {
@@ -91,7 +92,7 @@ margin_rank(struct margin m)
 	return m.passing < -EXACT ? m.passing : fmax(room, 0);
 }
 
-/* Returns the lesser of two margins, ignoring one without a limit. */
+/* Returns the smaller of two margins, of which one may have no limit. */
 static struct margin
 lesser_margin(struct margin least, struct margin m)
 {
@@ -102,7 +103,7 @@ lesser_margin(struct margin least, struct margin m)
 	return least;
 }
 
-/* Returns how far a limit is kept, for a value that exceeds it by `over`.
+/* Returns the distance left to a limit, for a value that is above it by `over`.
  * tight: no value lies beyond the limit. */
 static double
 room_to_limit(double over, bool most, bool tight)
@@ -113,8 +114,9 @@ room_to_limit(double over, bool most, bool tight)
 	return tight && over >= -ROUNDS ? INFINITY : over;
 }
 
-/* Returns the margin of a limit, in the answer alone: NO_LIMIT if there is
- * none, or one that no value can exceed. */
+/* Returns the margin to a limit in the answer, without widths; NO_LIMIT if
+ * there is none, or none that a value can exceed.  *tight: no value lies beyond
+ * it. */
 static struct margin
 margin_in_answer(
     const struct conditions_search *w, struct wanted_limit of, bool *tight)
@@ -131,8 +133,8 @@ margin_in_answer(
 	return (struct margin){room, NAN, of};
 }
 
-/* As margin_in_answer, with the width of the band.  held [DRAWS]: set to false
- * for each draw in which the limit does not hold. */
+/* As margin_in_answer, with widths of the band.  Sets held [DRAWS] to false for
+ * each draw in which the limit does not hold. */
 static struct margin
 margin_in_draws(
     const struct conditions_search *w, struct wanted_limit of, bool *held)
@@ -156,9 +158,9 @@ margin_in_draws(
 	return m;
 }
 
-/* Returns the share of draws in which condition i, or for SIZE_MAX all, hold,
- * NAN for a model alone.  margin [w->n + 1]: out, of each of these, and last
- * the least. */
+/* Returns the share of the draws in which condition i holds, or all conditions
+ * if i is SIZE_MAX; NAN for a model alone.  Sets margin [w->n + 1] to the
+ * margins of these conditions and, last, the smallest of them. */
 static double
 evaluate_conditions(
     const struct conditions_search *w, size_t i, struct margin *margin)
@@ -196,7 +198,7 @@ conditions_probability(const struct conditions_search *w)
 	return evaluate_conditions(w, SIZE_MAX, margin);
 }
 
-/* Does not look at draws, which are not needed for this. */
+/* Needs no draws, and therefore computes none. */
 bool
 conditions_are_met(const struct conditions_search *w, size_t i)
 {
@@ -210,8 +212,8 @@ conditions_are_met(const struct conditions_search *w, size_t i)
 	return met;
 }
 
-/* Returns both ends of the range of speeds and the tenths between them,
- * [*n]. */
+/* Returns the tenths of a m/s in the range of speeds, and its two ends, [*n].
+ * The caller frees them. */
 static double *
 list_speeds_by_tenths(const struct conditions_search *w, size_t *n)
 {
@@ -272,7 +274,7 @@ speed_search_free(struct speed_search *s)
 	free(s);
 }
 
-/* Keeps what concerns the target at step k. */
+/* Keeps what step k shows of the target. */
 static void
 keep_target_at_step(
     struct speed_search *s, const struct conditions_search *w, size_t k)
@@ -291,8 +293,8 @@ keep_target_at_step(
 
 /* ---- what is read off the margins */
 
-/* Returns the margin of condition i at step k, or of all, which is the one
- * after the last. */
+/* Returns the margin of condition i at step k; for i = n_condition, the
+ * smallest of all. */
 static const struct margin *
 margin_at_step(const struct speed_search *s, size_t k, size_t i)
 {
@@ -305,16 +307,16 @@ least_margin_at_step(const struct speed_search *s, size_t k)
 	return margin_at_step(s, k, s->n_condition);
 }
 
-/* Returns the limit with the smallest margin at step k, or none for a step
- * beyond the ends. */
+/* Returns the limit with the smallest margin at step k, or NONE if k is beyond
+ * the ends. */
 static struct wanted_limit
 nearest_limit_at_step(const struct speed_search *s, size_t k)
 {
 	return k < s->n ? least_margin_at_step(s, k)->limit : NONE;
 }
 
-/* Returns whether condition i, or for n_condition all, holds at each step,
- * [n].  The caller frees it. */
+/* Returns whether condition i holds at each step [n]; for i = n_condition,
+ * whether all hold.  The caller frees it. */
 static bool *
 mark_steps_that_meet(const struct speed_search *s, size_t i)
 {
@@ -324,7 +326,8 @@ mark_steps_that_meet(const struct speed_search *s, size_t i)
 	return met;
 }
 
-/* Finds the first and the last of the marked steps around step k. */
+/* Finds the first and the last of the marked steps around step k, without a
+ * gap. */
 static void
 find_marked_run(const bool *mark, size_t n, size_t k, size_t end[static 2])
 {
@@ -335,7 +338,7 @@ find_marked_run(const bool *mark, size_t n, size_t k, size_t end[static 2])
 		end[1]++;
 }
 
-/* below, above: the steps on either side. */
+/* below, above: the steps just outside the interval. */
 static void
 add_speed_interval(
     struct speed_search *s, double from, double to, size_t below, size_t above)
@@ -345,9 +348,9 @@ add_speed_interval(
 	    nearest_limit_at_step(s, below), nearest_limit_at_step(s, above)};
 }
 
-/* For a speed between steps k and k + 1, at neither of which all conditions
- * hold: returns -1 if it is too slow, as it misses a limit that step k misses,
- * 1 if it is too fast, and 0 if all conditions hold. */
+/* For a speed between steps k and k + 1, where not all conditions hold: returns
+ * 0 if they all hold at it, -1 if it is too slow, because it misses a limit
+ * that step k misses too, and 1 if it is too fast. */
 static int
 bisection_direction(const struct speed_search *s,
     const struct conditions_search *w, size_t k, double v)
@@ -364,7 +367,7 @@ bisection_direction(const struct speed_search *s,
 	return 0;
 }
 
-/* True if step k and the next miss different limits. */
+/* True if steps k and k + 1 miss different limits. */
 static bool
 may_conditions_hold_between(const struct speed_search *s, size_t k)
 {
@@ -378,8 +381,8 @@ may_conditions_hold_between(const struct speed_search *s, size_t k)
 	return true;
 }
 
-/* Returns the speed nearest to `bad` at which all conditions hold, as at
- * `good`. */
+/* Returns the end of an interval: the speed nearest to `bad` at which all
+ * conditions hold, as they do at `good`. */
 static double
 bisect_interval_end(const struct speed_search *s,
     const struct conditions_search *w, size_t k, double good, double bad)
@@ -413,7 +416,7 @@ find_interval_between_steps(
 		    bisect_interval_end(s, w, k, b, s->speed[k + 1]), k, k + 1);
 }
 
-/* met [n]: whether all conditions hold. */
+/* met [n]: whether all conditions hold at each step. */
 static void
 find_speed_intervals(
     struct speed_search *s, const struct conditions_search *w, const bool *met)
@@ -434,7 +437,7 @@ find_speed_intervals(
 	}
 }
 
-/* Returns how far a speed lies beyond the measured ones, or 0. */
+/* Returns how far a speed is outside the measured range, m/s, or 0. */
 static double
 distance_beyond_measured_speeds(const struct conditions_search *w, double v)
 {
@@ -447,9 +450,9 @@ is_within_measured_speeds(const struct conditions_search *w, double v)
 	return distance_beyond_measured_speeds(w, v) <= EXACT;
 }
 
-/* Returns which steps may be the best, [n]: if all conditions hold anywhere,
- * those where they do; of these those between the measured speeds, if any;
- * then those that are about as certain as the most certain.  The caller frees
+/* Returns which steps [n] may be the best: those where all conditions hold, if
+ * there are any; of these, those within the measured speeds, if there are any;
+ * and of these, those about as certain as the most certain.  The caller frees
  * it. */
 static bool *
 mark_eligible_steps(const struct speed_search *s,
@@ -472,8 +475,8 @@ mark_eligible_steps(const struct speed_search *s,
 	return may;
 }
 
-/* Returns the step with the largest margin, of equals the one nearest to the
- * middle; SIZE_MAX if the conditions hold only between two steps. */
+/* Returns the step with the largest margin, or of several the one nearest to
+ * the middle; SIZE_MAX if the conditions hold only between two steps. */
 static size_t
 find_best_step(const struct speed_search *s, const struct conditions_search *w,
     const bool *met)
@@ -521,7 +524,7 @@ find_best_speed(
 	}
 }
 
-/* True if each speed misses the conditions by as much as the best. */
+/* True if every speed misses the conditions by as much as the best. */
 static bool
 are_all_speeds_alike(const struct speed_search *s)
 {
@@ -533,8 +536,8 @@ are_all_speeds_alike(const struct speed_search *s)
 	return alike;
 }
 
-/* Finds the interval around the best speed, or nearest to it, in which
- * condition i holds by itself. */
+/* Finds the interval in which condition i holds, whatever the others do, around
+ * the best speed or nearest to it. */
 static void
 find_interval_of_condition(
     const struct speed_search *s, size_t i, double ends[static 2])
@@ -592,9 +595,9 @@ find_slowest_safe_speed(
 
 /* ---- the target's value */
 
-/* Returns the speed between a and b at which the target's excess, fa and fb
- * there, changes its sign: by secants, and by bisection where these gain
- * little.  To 1e-9 m/s, so that predict at that speed gives the value. */
+/* Returns the speed between a and b at which the target's excess changes sign;
+ * it is fa at a and fb at b.  By secants, and by bisection where these gain
+ * little; to 1e-9 m/s, so that predict at that speed shows the value. */
 static double
 target_speed_between(
     const struct conditions_search *w, double a, double fa, double b, double fb)
@@ -604,7 +607,7 @@ target_speed_between(
 	while (b - a > close) {
 		double width = b - a, middle = (a + b) / 2;
 		double at = a - fa * (width / (fb - fa));
-		/* Go a little beyond the root, so that both ends close in. */
+		/* Aim a little beyond the root, so that both ends close in. */
 		at += at < middle ? close / 4 : -close / 4;
 		for (int half = 0; half < 2 && b - a > width / 2; half++) {
 			double v =
@@ -651,8 +654,8 @@ find_target_speeds(struct speed_search *s, const struct conditions_search *w)
 	}
 }
 
-/* Returns the speed nearest to v at which sign times draw d of a table rises
- * through 0; 0 or INFINITY if it does so below or above the search. */
+/* Returns the speed nearest to v at which column d of the table f, times sign,
+ * rises through 0; 0 or INFINITY if it does so below or above the search. */
 static double
 target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
     double sign, double v)

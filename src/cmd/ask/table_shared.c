@@ -1,4 +1,4 @@
-/* Options shared by commands that ask questions (question.h), as rows of the
+/* Options that commands which ask questions (question.h) share, as rows of the
  * command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/rows.h"

@@ -1,5 +1,5 @@
-/* Gathers the facts about an entry, its calibration and the prediction for
- * trust_judge_answer in core.
+/* Collects what is known about an entry, its calibration and the prediction,
+ * for trust_judge_answer in core.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/trust_light.h"
 
@@ -18,8 +18,8 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* In a band narrower than NARROW, no parameter moves the answer by more than
- * MOVES, below which it is not worth mentioning; both passings. */
+/* A parameter on a bound is mentioned if the band is wider than NARROW on
+ * average and it moves the answer by more than MOVES; both passings. */
 static const double NARROW = 0.01, MOVES = 0.005;
 
 static double
@@ -31,7 +31,7 @@ mean_band_width(const struct prediction *p)
 	return sum;
 }
 
-/* Finds the parameter on a bound that limits the answer most. */
+/* Finds the parameter, of those on a bound, that moves the answer most. */
 static void
 find_bound_that_limits_answer(const struct session *s,
     const struct entry *entry, const struct prediction *p,
@@ -57,8 +57,8 @@ find_bound_that_limits_answer(const struct session *s,
 	}
 }
 
-/* Adds reasons about parameters that were not found by a calibration of this
- * site in this session. */
+/* Adds reasons about parameters that no calibration of this site in this
+ * session found. */
 static void
 add_reasons_of_origin(
     struct trust *t, const struct session *s, const struct entry *entry)
@@ -113,9 +113,9 @@ add_reasons_of_calibration(
 			       "calibrate again")));
 }
 
-/* Adds reasons about cuts added after the calibration: that they drift, and
- * the one that is missed most.  If they drift, the crusher should be looked at
- * before a calibration includes them. */
+/* Adds reasons about the cuts added after the calibration: that they drift, and
+ * which one is missed most.  If they drift, the text does not advise a
+ * calibration with them: the crusher should be looked at first. */
 static void
 add_reasons_of_later_cuts(
     struct trust *t, const struct session *s, const struct entry *entry)
@@ -141,8 +141,8 @@ add_reasons_of_later_cuts(
 			later.speed, rpm, 100 * later.rms));
 }
 
-/* Adds reasons about a feed or machine that was not measured.  evidence: on
- * the fit, or NULL. */
+/* Adds reasons about a feed or a machine with which nothing was measured.
+ * evidence: about the fit, or NULL. */
 static void
 add_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
     const struct entry *entry, const struct evidence *evidence)
@@ -182,8 +182,8 @@ add_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
 			w->k, s->set.model.k));
 }
 
-/* Returns evidence that has only the speeds, for parameters that were not
- * found by a calibration in this session. */
+/* Returns evidence that only has the speeds, for parameters that no calibration
+ * in this session found. */
 static struct evidence
 evidence_from_speeds_alone(const struct entry *entry)
 {
@@ -205,7 +205,8 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 	    .rotor = entry->site->run_rotor > 0 ? 0 : entry->site->rotor,
 	    .corrected = !off};
 	struct evidence reach = evidence_from_speeds_alone(entry);
-	/* What was measured is judged without the question's changes. */
+	/* The site's own measurements are judged without the question's
+	 * changes. */
 	const struct entry *own = entry_without_scenario(entry);
 	if (later)
 		add_reasons_of_later_cuts(&t, s, own);
@@ -338,7 +339,7 @@ trust_show(struct answer *r, struct trust t)
 	trust_show_with_speed(r, NULL, 0, t);
 }
 
-/* Returns a verdict that needs no light, or NULL if the light decides. */
+/* Returns the verdict if it does not depend on the light, otherwise NULL. */
 static const char *
 verdict_needing_no_light(const struct entry *entry)
 {

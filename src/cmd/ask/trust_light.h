@@ -1,5 +1,5 @@
-/* The trust in an answer, for commands and the full screen: one light and its
- * reasons.
+/* The light: the trust in an answer, and its reasons, for commands and the full
+ * screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_TRUST_LIGHT_H
 #define TIPSPEED_CMD_ASK_TRUST_LIGHT_H
@@ -7,45 +7,45 @@
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"
 
-/* Returns the light of the entry's answer p or, for NULL, that of its fit.
- * Free with trust_free. */
+/* Returns the light of the answer p, or of the entry's fit if p is NULL.  Free
+ * with trust_free. */
 struct trust trust_in_answer_or_fit(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
-/* trust_keep_worse keeps the worse of two lights and frees the other;
- * trust_worst_of_several returns the worst of several answers [n]. */
+/* trust_keep_worse replaces *worst by t if that is worse, and frees the other;
+ * trust_worst_of_several returns the worst light of answers [n]. */
 void trust_keep_worse(struct trust *worst, struct trust t);
 struct trust trust_worst_of_several(const struct session *s,
     const struct entry *entry, const struct prediction *p, size_t n);
 
 /* trust_at_speed returns the light of the answer at a speed with the feed of a
  * run; trust_in_words_at_speed returns, for charts, "trust at 74 m/s: amber: "
- * and the first reason, which the caller frees. */
+ * and the first reason.  The caller frees them. */
 struct trust trust_at_speed(const struct session *s, const struct entry *entry,
     double speed, size_t feed);
 char *trust_in_words_at_speed(const struct session *s,
     const struct entry *entry, double speed, size_t feed);
 
-/* Puts "trust" and "reasons". */
+/* Puts the fields "trust" and "reasons". */
 void trust_put_fields(struct fields *o, const struct trust *t);
 
-/* trust_show adds the light to the answer's fields and the sentence about it,
- * as a warning if it is red; trust_show_with_speed names the speed of the
- * light, for an answer that is not the product at that speed.  They free the
- * light. */
+/* trust_show adds the light to the answer's fields, and a sentence about it,
+ * which is a warning if the light is red; trust_show_with_speed names the speed
+ * of the light, for an answer that is not the product at that speed.  Both free
+ * the light. */
 void trust_show(struct answer *r, struct trust t);
 void trust_show_with_speed(
     struct answer *r, const struct site *site, double speed, struct trust t);
 
-/* Returns the verdict on the fit behind an answer p, or on the fit alone for
- * NULL: "poor", "too few data", "nothing breaks", "good" if the light is green,
- * or else "doubtful". */
+/* Returns the verdict on the fit behind an answer p, or on the fit alone if p
+ * is NULL: "poor", "too few data", "nothing breaks", "good" if the light is
+ * green, and "doubtful" otherwise. */
 const char *verdict_on_fit(const struct session *s, const struct entry *entry,
     const struct prediction *p);
 
-/* As verdict_on_fit for a fit, but without draws from its posterior,
- * which take three times as long as the calibration.  With draws, "good" may
- * become "doubtful". */
+/* As verdict_on_fit for a fit, but without draws from its posterior, which take
+ * three times as long as the calibration.  Draws may turn "good" into
+ * "doubtful". */
 const char *verdict_without_draws(
     const struct session *s, const struct entry *entry);
 

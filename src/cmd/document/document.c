@@ -1,5 +1,4 @@
-/* Collects the parts of a document.  html.c and pdf.c determine their
- * appearance.
+/* Collects the parts of a document.  html.c and pdf.c say how they look.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/document/document.h"
 
@@ -49,8 +48,8 @@ append_part(struct document *d, struct document_part part)
 	d->part[d->n++] = part;
 }
 
-/* Makes a part of what was printed since the last part, which it precedes.
- * Empty lines at both ends are left out: they are for a terminal. */
+/* Makes a part of the text printed since the last part; call it before adding
+ * another part.  Leaves out empty lines at both ends, meant for a terminal. */
 static void
 take_printed_text(struct document *d)
 {
@@ -159,7 +158,7 @@ document_part_counts_text(const struct document *d)
 	return text;
 }
 
-/* Returns the width of the longest word. */
+/* Returns the width of the longest word in a text, in columns of a terminal. */
 static int
 longest_word_width(const char *text)
 {
@@ -174,8 +173,8 @@ longest_word_width(const char *text)
 	return most;
 }
 
-/* Returns the width of a column, of which headings are broken between words,
- * and sentences too. */
+/* Returns the width of a column.  Its heading may be broken between words, and
+ * so may texts longer than MOST. */
 static int
 document_column_width(const struct answer_view *v, size_t column)
 {

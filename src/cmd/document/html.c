@@ -1,5 +1,5 @@
-/* Writes a document as HTML that any browser can show and print.  The meaning
- * of each colour is also stated in words.
+/* Writes a document as HTML that any browser can show and print.  What a colour
+ * means is also said in words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/document/html.h"
 
@@ -11,8 +11,8 @@
 #include "config.h"
 #include "plot/picture.h"
 
-/* Contains no character that XML would take as its own.  The colours of the
- * lights can be told apart with red-green blindness. */
+/* Contains no characters that are special in XML.  The colours of the lights
+ * can be told apart by people with red-green blindness. */
 static const char STYLE[] =
     "body{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;"
     "font-size:15px;line-height:1.4;color:#000;background:#fff;"
@@ -85,7 +85,7 @@ html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 	fputs(head ? "</th>" : "</td>", out);
 }
 
-/* Puts a table of the first column and those from `from` to before `to`. */
+/* Puts a table of the first column and columns `from` to `to` - 1. */
 static void
 html_put_table(const struct answer_view *v, size_t from, size_t to, FILE *out)
 {
@@ -109,7 +109,7 @@ html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	}
 }
 
-/* The answer's title is left out if it is that of the document. */
+/* Leaves out the answer's title if the document has it. */
 static void
 html_put_answer(const struct document *d, size_t i, FILE *out)
 {

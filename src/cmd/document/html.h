@@ -5,8 +5,8 @@
 
 #include "cmd/document/document.h"
 
-/* Returns the page, *n bytes, which the caller frees.  It is one file, HTML
- * that is also valid XML, with images as SVG; it loads nothing and runs no
+/* Returns the page, *n bytes, which the caller frees.  It is a single file of
+ * HTML that is also valid XML, with images in SVG; it loads nothing and runs no
  * script.  The same document gives the same bytes. */
 char *document_to_html(const struct document *document, size_t *n);
 

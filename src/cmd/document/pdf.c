@@ -1,5 +1,5 @@
-/* Lays out a document on A4 pages, several times: to count the pages and, if it
- * is to be one page, to find its scale.
+/* Lays out a document on A4 pages, more than once: first to count the pages
+ * and, if it has to fit on one page, to find the scale.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/document/pdf.h"
 
@@ -13,24 +13,21 @@
 #include "config.h"
 #include "plot/picture.h"
 
-/* Lengths in points.  LINE: height of a line divided by the size of its
- * letters. */
+/* In points.  LINE: the height of a line, in sizes of its letters. */
 static const double SHORT_SIDE = 595.28, LONG_SIDE = 841.89, MARGIN = 42,
 		    FOOT = 26, LINE = 1.3, GAP = 9;
 
-/* scale: of letters and distances.  across: the long side of the page is
- * horizontal.  pages: how many there are, 0 while that is unknown.  page: the
- * one in work, in the end the last.  shrunk: the letters of some table are
- * smaller than the scale asks for, because it is too wide for the page. */
 struct pdf_layout {
 	const struct document *document;
-	double scale;
-	bool across;
-	size_t pages;
+	double scale; /* of letters and distances */
+	bool across;  /* the long side of the page is horizontal */
+	size_t pages; /* in all; 0 while not known */
 	struct pen *pen;
 	double width, height; /* of the page */
 	double y;             /* where the next part begins */
-	size_t page;
+	size_t page;          /* the current one; at the end, the last */
+	/* A table is too wide for the page, so its letters are smaller than the
+	 * scale asks for. */
 	bool shrunk;
 };
 
@@ -46,7 +43,7 @@ width_within_margins(const struct pdf_layout *p)
 	return p->width - 2 * MARGIN;
 }
 
-/* Draws a line from the margin to an end. */
+/* Draws a horizontal line from the left margin to `end`. */
 static void
 pdf_draw_line(struct pdf_layout *p, double end, double y, double width)
 {
@@ -77,8 +74,8 @@ pdf_next_page(struct pdf_layout *p)
 	p->y = MARGIN;
 }
 
-/* Begins a new page unless a part of that height fits on this one.  True if it
- * did. */
+/* Begins a new page, and returns true, unless a part of this height fits on the
+ * current one. */
 static bool
 begin_page_unless_fits(struct pdf_layout *p, double height)
 {
@@ -95,8 +92,8 @@ pdf_move_down(struct pdf_layout *p, double points)
 		p->y += points * p->scale;
 }
 
-/* Returns the number of bytes of a text that make its next line: whole words
- * or, if not even one fits, part of a word. */
+/* Returns how many bytes of the text fit on a line: whole words or, if not even
+ * one fits, part of a word. */
 static size_t
 bytes_of_next_line(struct pdf_layout *p, const char *text, double width,
     const struct pen_style *style)
@@ -151,7 +148,6 @@ lines_free(struct lines *lines)
 	free(lines->line);
 }
 
-/* Puts a paragraph. */
 static void
 pdf_put_paragraph(
     struct pdf_layout *p, const char *text, const struct pen_style *style)
@@ -168,7 +164,7 @@ pdf_put_paragraph(
 	lines_free(&lines);
 }
 
-/* Puts a word in a frame, so that it is seen without its colour. */
+/* Puts the light in a frame, so that one notices it even without its colour. */
 static void
 pdf_put_trust_light(struct pdf_layout *p, const struct document_part *part)
 {
@@ -211,10 +207,10 @@ pdf_put_text_lines(struct pdf_layout *p, const char *text)
 	}
 }
 
-/* Some columns of a table, `column` [n], side by side, with their widths and
- * the size of the letters. */
+/* Columns of a table that are put side by side. */
 struct table_part {
 	const struct answer_view *view;
+	/* The columns [n] and their widths; the size of the letters. */
 	size_t n, *column;
 	double *width, size;
 };
@@ -232,8 +228,8 @@ longest_word_width(
 	return most;
 }
 
-/* Makes columns as wide as their numbers and the words of their headings.
- * Texts wider than `most` are broken.  Returns the total width. */
+/* Makes columns as wide as their numbers and the words of their headings; texts
+ * wider than `most` will be broken.  Returns the total width. */
 static double
 measure_column_widths(struct pdf_layout *p, struct table_part *g, double most)
 {
@@ -255,7 +251,7 @@ measure_column_widths(struct pdf_layout *p, struct table_part *g, double most)
 	return sum;
 }
 
-/* Finds widths that fit the page: breaks texts first, then makes letters
+/* Finds widths that fit the page: first breaks texts, then makes the letters
  * smaller. */
 static void
 fit_column_widths_to_page(struct pdf_layout *p, struct table_part *g)
@@ -272,7 +268,7 @@ fit_column_widths_to_page(struct pdf_layout *p, struct table_part *g)
 	}
 }
 
-/* Puts a row; row 0 has the headings. */
+/* Puts a row; row 0 is that of the headings. */
 static void
 pdf_put_row(struct pdf_layout *p, const struct table_part *g, size_t row)
 {
@@ -295,7 +291,7 @@ pdf_put_row(struct pdf_layout *p, const struct table_part *g, size_t row)
 		for (size_t i = 0; i < g->n; i++) {
 			bool right =
 			    document_is_number_column(g->view, g->column[i]);
-			/* Headings stand at the foot of their row. */
+			/* Headings are aligned at the bottom of their row. */
 			size_t from = row == 0 ? most - cell[i].n : 0;
 			style.anchor = right ? PEN_END : PEN_START;
 			if (k >= from && k - from < cell[i].n)
@@ -319,7 +315,7 @@ table_rule_end_x(const struct pdf_layout *p, const struct table_part *g)
 	return x;
 }
 
-/* Puts the rows, with the headings again on every page. */
+/* Puts all rows, and the headings again on each page. */
 static void
 pdf_put_table_columns(struct pdf_layout *p, struct table_part *g)
 {
@@ -371,8 +367,8 @@ pdf_put_sentences(
 		}
 }
 
-/* Returns the height that has to fit on the page with a title: that of the
- * whole table, unless it is long. */
+/* Returns how much of an answer has to be on the page of its title: the whole
+ * table, unless that is long. */
 static double
 height_kept_together(const struct pdf_layout *p, const struct answer_view *v)
 {
@@ -428,8 +424,8 @@ pdf_put_chart(struct pdf_layout *p, const struct chart *chart)
 	p->y += height;
 }
 
-/* Puts a heading on the page of what comes next, so that it is not the last on
- * its page. */
+/* Puts heading i on the same page as what follows, so that it does not end a
+ * page. */
 static void
 pdf_put_heading(struct pdf_layout *p, size_t i)
 {
@@ -482,8 +478,8 @@ pdf_put_part(struct pdf_layout *p, size_t i)
 	}
 }
 
-/* Lays all parts out at the scale of the press and returns the bytes of the
- * file, or NULL if that fails. */
+/* Lays out all parts at the scale of the layout, and returns the bytes of the
+ * file, or NULL on failure. */
 static char *
 lay_out_pdf(struct pdf_layout *p, size_t *n)
 {
@@ -514,8 +510,8 @@ lay_out_pdf(struct pdf_layout *p, size_t *n)
 	return bytes;
 }
 
-/* Sets the press to the largest scale at which all fits on one page, upright or
- * across, without shrinking a table. */
+/* Finds the largest scale at which all fits on one page, upright or across,
+ * without shrinking a table. */
 static void
 fit_on_one_page(struct pdf_layout *p)
 {

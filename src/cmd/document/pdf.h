@@ -5,9 +5,9 @@
 
 #include "cmd/document/document.h"
 
-/* Returns the file, *n bytes, which the caller frees.  pages: out, their
- * number.  Returns NULL if this program cannot draw PDF, see
- * picture_can_draw_form.  The same document gives the same bytes. */
+/* Returns the file, *n bytes, which the caller frees, and the number of its
+ * pages.  NULL if this program cannot draw PDF, see picture_can_draw_form.  The
+ * same document gives the same bytes. */
 char *document_to_pdf(
     const struct document *document, size_t *n, size_t *pages);
 

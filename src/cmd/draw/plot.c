@@ -1,5 +1,5 @@
 /* plot: a plot as text, as numbers, or as an image file; describe: a plot in
- * sentences, made from the data that plot draws; screen.
+ * sentences, from the same data; screen: a picture of the full screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plot.h"
 
@@ -25,8 +25,8 @@
 #include "plot/picture.h"
 #include "io/sitefile/units.h"
 
-/* Reads which site or pinned prediction is plotted, and which is shown beside
- * it. */
+/* Reads site= and beside=: the site or pinned prediction to plot, and the one
+ * to show beside it. */
 static bool
 parse_plotted_sites(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
@@ -68,9 +68,9 @@ parse_plot_request(const struct session *s, const struct args *args,
 	return parse_plotted_sites(s, args, request, error);
 }
 
-/* Leaves the error about a site that is not loaded to plots_make_chart.  A
- * speed given as feed= names a sample of the first site only.  second: the
- * question about the site beside. */
+/* Reads the question about the site and, into `second`, the same about the site
+ * beside.  A speed as feed= names a feed of the first site only.  If a site is
+ * not loaded, plots_make_chart sets the error. */
 static bool
 parse_plot_questions(struct session *s, const struct args *args,
     struct plot_request *r, struct question *second, struct error *error)
@@ -100,9 +100,8 @@ parse_plot_questions(struct session *s, const struct args *args,
 	return true;
 }
 
-/* Makes the chart that the call asks for, from its kind and the options that
- * plot and describe share; see plots_make_chart.  The caller frees both
- * questions, even if the chart is NULL. */
+/* Makes the chart of a call of plot or describe; see plots_make_chart.  The
+ * caller frees both questions, even if the chart is NULL. */
 static struct chart *
 make_requested_chart(struct session *s, const struct args *args,
     struct plot_request *request, struct question *second, struct error *error)
@@ -132,8 +131,8 @@ json_key_of_axis(const struct axis *axis)
 	return key;
 }
 
-/* If points belong to several sites, or to a line that is common to all sites,
- * each row names its site. */
+/* Adds the site of a point and the source of its data; both empty for a line
+ * that belongs to no site. */
 static void
 add_site_cells_of_point(
     struct answer *r, const struct chart_series *series, size_t i)
@@ -152,7 +151,7 @@ tick_label_at(const struct axis *axis, double at)
 	return axis->tick[i].label;
 }
 
-/* Adds a row for each field of a matrix: the names of its row and column, and
+/* Adds a row for each cell of a matrix: the names of its row and column, and
  * its value. */
 static void
 add_matrix_chart_rows(struct answer *r, const struct chart *chart)
@@ -169,8 +168,8 @@ add_matrix_chart_rows(struct answer *r, const struct chart *chart)
 		}
 }
 
-/* Adds a row for each point.  of: the quantity on the vertical axis, or
- * NULL. */
+/* Adds a row for each point.  several: with its site.  of: title of the
+ * vertical axis, for a column of its own, or NULL. */
 static void
 add_series_rows(struct answer *r, const struct chart_series *p, bool several,
     const char *of)
@@ -189,8 +188,8 @@ add_series_rows(struct answer *r, const struct chart_series *p, bool several,
 	}
 }
 
-/* Returns the chart below one.  A strip does not count, because its numbers
- * follow from the others. */
+/* Returns the next chart below this one, or NULL.  A strip does not count,
+ * because its numbers follow from the others. */
 static const struct chart *
 next_chart_below(const struct chart *chart)
 {
@@ -233,8 +232,8 @@ build_chart_answer(const struct session *s, const struct chart *chart)
 	return r;
 }
 
-/* Returns the size asked for, or one that leaves room for the prompt on the
- * screen. */
+/* Returns the number of columns or rows: as asked; else those of the screen,
+ * but no more than `most`; else, if there is no screen, `elsewhere`. */
 static int
 cells_asked_or_fitting(double asked, int screen, int most, int elsewhere)
 {
@@ -264,7 +263,7 @@ print_chart(struct session *s, const struct args *args,
 	int most = HEIGHT + strip;
 	int rows =
 	    cells_asked_or_fitting(args->height, screen->rows - 2, most, most);
-	/* If there are several charts, each is as high as a single one. */
+	/* Each further chart is as high as a single one. */
 	for (const struct chart *c = next_chart_below(chart); c != NULL;
 	     c = next_chart_below(c))
 		rows += args->height > 0
@@ -328,7 +327,7 @@ build_screen_request(
 					 : s->screen.colours};
 }
 
-/* Returns the rows of the screen for a program that reads them. */
+/* Builds an answer for programs, with a row for each row of the screen. */
 static struct answer *
 build_screen_answer(const struct canvas *canvas)
 {
@@ -375,8 +374,9 @@ write_screen_image(struct session *s, const struct canvas *canvas, int colours,
 	       error_cannot_draw(s, error);
 }
 
-/* Prints one row for a screen reader.  Leaves out a sign that is drawn again
- * and again, and with it a row that contains nothing else. */
+/* Prints one row for a screen reader.  Leaves out characters that repeat three
+ * times or more, which only draw lines (but not digits), and rows that contain
+ * nothing else. */
 static void
 print_row_for_screen_reader(
     const struct canvas_cell *cell, int columns, FILE *out)
@@ -401,7 +401,7 @@ print_row_for_screen_reader(
 	free(text);
 }
 
-/* Prints all that the screen shows, row by row, and then describes its plot. */
+/* Prints the text of the screen row by row, and then describes its plot. */
 static bool
 print_screen_for_screen_reader(struct session *s, const struct canvas *canvas,
     const char *picture, struct error *error)
@@ -481,8 +481,8 @@ p_sizes_text(const struct chart *c, const struct chart_series *s)
 	return text;
 }
 
-/* Says where a curve begins and ends, from left to right; flat ends are left
- * out. */
+/* Says where a curve begins and ends, from left to right, without flat parts at
+ * its ends. */
 static void
 describe_curve(
     struct answer *r, const struct chart *c, const struct chart_series *s)
@@ -509,7 +509,8 @@ describe_curve(
 		    x, sizes);
 }
 
-/* Names the points of a map or of a comparison; all of them if they are few. */
+/* Gives the coordinates of the points of a series: of all, or of the first
+ * FEW. */
 static void
 describe_map_points(struct answer *r, const struct chart_series *s)
 {
@@ -530,8 +531,8 @@ describe_map_points(struct answer *r, const struct chart_series *s)
 	    s->name, s->n, text);
 }
 
-/* Names the three points of a parameter in the spread: its two ends and the
- * best. */
+/* Says for each parameter where the candidates and the best one lie within its
+ * bounds. */
 static void
 describe_parameter_spread(struct answer *r, const struct chart *c)
 {
@@ -549,7 +550,7 @@ describe_parameter_spread(struct answer *r, const struct chart *c)
 	}
 }
 
-/* Names the pairs with high values, each once. */
+/* Names each pair of strongly correlated parameters once. */
 static void
 describe_strong_correlations(struct answer *r, const struct chart *c)
 {
@@ -573,8 +574,8 @@ describe_strong_correlations(struct answer *r, const struct chart *c)
 	    c->x.n, worth_saying);
 }
 
-/* Says where the last curve, which lies on top, is furthest from another
- * one. */
+/* Says where another curve is furthest from the last one, which is drawn on
+ * top. */
 static void
 describe_difference_of_curves(
     struct answer *r, const struct chart *c, const struct chart_series *other)
@@ -613,7 +614,6 @@ describe_series(struct answer *r, const struct chart *c)
 			describe_difference_of_curves(r, c, c->series[i]);
 }
 
-/* Says where each difference is largest. */
 static void
 describe_difference_strip(struct answer *r, const struct chart *c)
 {
@@ -629,8 +629,8 @@ describe_difference_strip(struct answer *r, const struct chart *c)
 	}
 }
 
-/* Names for each run the sieve at which the candidates lie furthest apart, and
- * the sieve that the best candidate misses by most. */
+/* Names for each run the sieve at which the candidates are furthest apart, and
+ * the sieve at which the best candidate errs most. */
 static void
 describe_candidate_bars(struct answer *r, const struct chart *c)
 {
@@ -680,8 +680,7 @@ describe_chart(struct answer *r, const struct chart *c)
 		answer_note(r, "%s", c->note[i]);
 }
 
-/* Says at which speeds the goal of the session is met, on the feed of the
- * curves. */
+/* For a psd, says at which speeds the session's goal is met with its feed. */
 static void
 describe_speeds_meeting_goal(
     struct answer *r, struct session *s, const struct plot_request *request)

@@ -9,12 +9,13 @@
 #include "cmd/draw/plots.h"
 #include "cmd/session/session.h"
 
-/* A picture of the full screen.  columns, rows: if 0, those of the open screen,
- * or else 100 x 30.  page: from 1; 0: the current page.  keys: names of keys to
- * press first; "": none.  charset and colours (0, 8, 16 or 256) are those of
- * the open screen unless `asked`.  words: draw for a screen reader, without
- * plots and lines, and set picture to the name that describe has for the page's
- * plot, or NULL; the caller frees it. */
+/* A request for a picture of the full screen.  columns, rows: 0: those of the
+ * open screen or, if none is open, 100 x 30.  page: from 1; 0: the current
+ * page.  keys: names of keys to press first, or "".  charset, colours (0, 8, 16
+ * or 256): used if charset_asked and colours_asked, otherwise those of the open
+ * screen.  words: draw for a screen reader, without plots and lines, and set
+ * picture to the page's plot as describe calls it, or NULL; the caller frees
+ * it. */
 struct screen_request {
 	int columns, rows, page, colours;
 	enum charset charset;
@@ -24,9 +25,9 @@ struct screen_request {
 	char *picture;
 };
 
-/* plot_is_image_wanted is true if the results go to an image file, recognised
- * by its name, or to a document.  plot_write_image writes the chart to it and
- * frees the chart. */
+/* plot_is_image_wanted returns true if the results go to a document or to a
+ * file whose name is that of an image.  plot_write_image writes the chart there
+ * and frees it. */
 bool plot_is_image_wanted(const struct session *s);
 bool plot_write_image(
     struct session *s, struct chart *chart, struct error *error);

@@ -1,5 +1,5 @@
-/* Plots of a session: functions that all kinds share, most of the kinds, and
- * the table of all.
+/* The functions that make and draw a chart of any kind, the table of all kinds,
+ * and the charts residuals, parity, selection and appearance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
@@ -38,9 +38,8 @@ plots_default_request(enum plot_kind kind)
 	    .strip = STRIP};
 }
 
-/* Adds the prediction for a run minus its product, in points, at the sieves
- * that its feed covers.  The other sieves, which the axis shows too, have a
- * gap. */
+/* Adds a series of predicted minus measured passing of a run, in points.  At
+ * sieves that its feed does not cover the series has a gap. */
 static void
 add_residual_series(struct chart *chart, const struct session *s,
     const struct entry *entry, size_t run, const struct params *params,
@@ -64,8 +63,8 @@ add_residual_series(struct chart *chart, const struct session *s,
 	prediction_free(&p);
 }
 
-/* Returns an axis with round limits that holds 0 and all y of the chart, with a
- * guide at 0. */
+/* Returns a y axis with round limits for the chart, which includes 0 and has a
+ * guide line there. */
 static struct axis
 axis_with_zero(const struct chart *chart, const char *title)
 {
@@ -114,7 +113,7 @@ residuals_chart(
 		add_residual_series(chart, s, q->asked.entry, i, &params, look);
 	}
 	site_chart_set_sieve_axis(chart);
-	chart->y = axis_with_zero(chart, "difference, points");
+	chart->y = axis_with_zero(chart, tr("difference, points"));
 	return chart;
 }
 
@@ -144,8 +143,8 @@ add_parity_points(struct chart *chart, const struct session *s,
 	}
 }
 
-/* Notes "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all
- * does. */
+/* Notes the figures of validate all: "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987;
+ * 19 runs". */
 static void
 note_bias_and_rms(struct chart *chart, const struct trials *pairs)
 {
@@ -210,8 +209,7 @@ parity_chart(
 
 enum { SAMPLES = 241 };
 
-/* Returns value i of SAMPLES between low and high, evenly spaced on a log
- * scale. */
+/* Returns value i of SAMPLES from low to high, evenly spaced on a log scale. */
 static double
 log_spaced_value(double low, double high, size_t i)
 {
@@ -319,8 +317,8 @@ note_other_model(
 	    model->name);
 }
 
-/* The chart is handed back by an argument: cppcheck takes one that is returned
- * for the request. */
+/* Returns the chart through an argument, because cppcheck mistakes a returned
+ * chart for the request. */
 static void
 make_chart_in_theme(plot_make *make, struct session *s,
     const struct plot_request *request, struct chart **chart,
@@ -358,7 +356,7 @@ plots_make_chart(
 	    [PLOT_SEARCH] = {plots_search_residuals},
 	    [PLOT_ENERGY] = {plots_impact_energies, true}};
 	if (!KINDS[request->kind].any_site &&
-	    !session_require_site(s, "this plot", error))
+	    !session_require_site(s, tr("this plot"), error))
 		return NULL;
 	size_t at = s->current;
 	if (request->site != NULL &&
@@ -373,7 +371,7 @@ plots_make_chart(
 	return chart;
 }
 
-/* Returns "82.1 %". */
+/* Returns a value with the unit of its axis: "82.1 %". */
 static char *
 value_with_unit_text(const struct axis *axis, double value)
 {

@@ -1,15 +1,16 @@
-/* Plots of a session: the curves for each kind.
+/* Makes the charts of all kinds of plots.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_DRAW_PLOTS_H
 #define TIPSPEED_CMD_DRAW_PLOTS_H
 
 #include "cmd/draw/plot_request.h"
 
-/* Returns a request of that kind with defaults: NANs, ASCII, a legend. */
+/* Returns a request with defaults: NAN where nothing is asked, ASCII, all
+ * texts. */
 struct plot_request plots_default_request(enum plot_kind kind);
 
-/* Kinds with a file of their own, plots_KIND.c; plots_draws.c has profile and
- * correlation, plots_psd.c also sweep. */
+/* Kinds with a file of their own, plots_KIND.c.  plots_draws.c has profile and
+ * correlation; plots_psd.c also has sweep. */
 plot_make plots_parameter_profile, plots_parameter_correlations,
     plots_control_charts, plots_impact_energies, plots_material_map, plots_psd,
     plots_response, plots_runs, plots_sweep;
@@ -25,9 +26,10 @@ struct canvas *plots_draw_canvas(struct session *s,
     const struct plot_request *request, int columns, int rows,
     struct error *error);
 
-/* Finds what is at a cell of that picture: the values on the axes, and the mark
- * or line drawn there in words, "measured 74: 5.6 mm, 82.1 %", or NULL; the
- * caller frees them.  Returns false outside the data or without a picture. */
+/* Finds what plots_draw_canvas draws at a cell: the values on the axes, and the
+ * mark or line there in words, "measured 74: 5.6 mm, 82.1 %", or NULL.  The
+ * caller frees the words.  Returns false outside the area of the data or if the
+ * chart cannot be made. */
 struct plots_found {
 	double x, y;
 	char *words;

@@ -1,5 +1,5 @@
-/* Correlations of the parameters over the posterior's draws, as fields of a
- * grid; the misfit along one parameter with the others refitted, beside the
+/* correlation: a grid of the correlations of the parameters over the draws.
+ * profile: the misfit along one parameter with the others refitted, beside the
  * density of the draws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
@@ -14,7 +14,7 @@
 #include "core/posterior/identify.h"
 #include "core/posterior/profile.h"
 
-/* Returns the draws of the site in use, or NULL with an error. */
+/* Returns the draws of a site, or NULL with an error. */
 static const struct posterior *
 posterior_or_error(
     const struct session *s, const struct entry *entry, struct error *error)
@@ -30,7 +30,8 @@ posterior_or_error(
 	return p;
 }
 
-/* Finds the parameters that are not held fixed and returns their number. */
+/* Sets column to the indices of the parameters that are not held fixed, and
+ * returns their number. */
 static size_t
 find_free_parameters(
     const struct posterior *p, size_t column[static PARAMS_MOST])
@@ -42,8 +43,8 @@ find_free_parameters(
 	return n;
 }
 
-/* Returns an axis with a tick for each parameter: from left to right or, if
- * `up`, from the top down. */
+/* Returns an axis with a tick for each parameter, from left to right or, for
+ * the vertical axis (`up`), from the top down. */
 static struct axis
 parameter_name_axis(
     const struct posterior *p, const size_t *column, size_t n, bool up)
@@ -59,7 +60,7 @@ parameter_name_axis(
 	return axis;
 }
 
-/* Adds the fields whose values have one sign. */
+/* Adds a series of the cells with positive or with negative correlations. */
 static void
 add_correlation_cells(struct chart *chart, const struct posterior *p,
     const size_t *column, size_t n, bool positive)
@@ -119,9 +120,9 @@ plots_parameter_correlations(
 	return chart;
 }
 
-/* What a profile needs: the misfit and the fit of the calibration in its own
- * model.  If only the draws' model has the parameter, both are in that
- * model. */
+/* What a profile is computed from: the misfit and the fit of the calibration,
+ * in the calibration's model or, if only the model of the draws has the
+ * parameter, in that. */
 struct profile_data {
 	const struct history *h;
 	const struct posterior *p; /* NULL without draws */
@@ -185,9 +186,8 @@ prepare_param_profile(const struct session *s, const struct entry *entry,
 	return true;
 }
 
-/* Finds the part of the bounds that is worth showing: the range of the draws
- * and the fit, and a quarter more on each side.  Without draws it is all of
- * it. */
+/* Sets reach to the range to show: that of the draws and the fit and a quarter
+ * more on each side, within the bounds; without draws, the bounds. */
 static void
 find_profile_range(
     const struct profile_data *a, const double *draw, double reach[static 2])
@@ -208,8 +208,8 @@ find_profile_range(
 	reach[1] = fmin(reach[1], high + more);
 }
 
-/* Spreads n values over the axis, within the bounds.  The fit's own value
- * replaces the nearest one. */
+/* Sets x to n values spread over the axis, within the bounds.  The fit's own
+ * value replaces the nearest one. */
 static void
 choose_profile_values(const struct chart *chart, const struct profile_data *a,
     double *x, size_t n)

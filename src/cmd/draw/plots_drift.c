@@ -1,5 +1,5 @@
-/* Plots each cut, EWMA and CUSUM (core/check/control_chart.h) as shares of
- * their limits.
+/* drift: plots each cut, EWMA and CUSUM (core/check/control_chart.h) as shares
+ * of their limits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
@@ -26,7 +26,7 @@ static const struct {
     {N_("CUSUM of the tilt"),
 	{.series = SERIES_KIND_4, .line = CHART_LONG, .ascii = '%'}}};
 
-/* Computes the share of its limit for each of these. */
+/* Computes the value of each series as a share of its limit, with its sign. */
 static void
 shares_of_control_limits(const struct drift_point *p,
     const struct drift_rule *rule, double share[static ARRAY_LEN(SHOWN)])
@@ -51,7 +51,7 @@ note_drift_state(struct chart *chart, const struct routine *r)
 	chart_note(chart, "%s", words);
 }
 
-/* Draws the control charts of the site in use, the same as those of `drift`. */
+/* Draws the control charts that `drift` computes. */
 struct chart *
 plots_control_charts(
     struct session *s, const struct plot_request *q, struct error *error)

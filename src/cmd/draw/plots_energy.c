@@ -1,5 +1,5 @@
-/* Plots impacts per particle in half octaves of energy, from the bins of core's
- * spectrum.
+/* energy: plots the number of impacts per particle in each half octave of
+ * energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
@@ -14,8 +14,9 @@
 /* This many bins are drawn as one, which spans half an octave. */
 enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };
 
-/* Fills in the impacts per particle, or the share of the impacts in %, for each
- * half octave. */
+/* Fills a series with the impacts per particle in each half octave or, if
+ * particles were not counted, the share of the impacts, %.  first: only the
+ * first impact of each particle. */
 static void
 fill_impact_energy_series(struct chart_series *series, const struct spectrum *s,
     const struct spectrum_size *whole, bool first)
@@ -54,8 +55,9 @@ add_impact_energy_curves(
 		    s, whole, true);
 }
 
-/* Draws how often particles are hit, by energy: the energies in use, with the
- * first impact of each particle apart, and all others that were loaded. */
+/* Draws how often particles are hit, by energy: for the energies in use, with a
+ * curve of its own for the first impacts, and for the others that were
+ * loaded. */
 struct chart *
 plots_impact_energies(
     struct session *s, const struct plot_request *q, struct error *error)

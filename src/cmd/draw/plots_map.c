@@ -1,5 +1,5 @@
-/* Plots f_mat against e0_min for Table 3, the store and the loaded sites, with
- * a series for each rock.
+/* map: plots e0_min against f_mat for Table 3, the store and the loaded sites,
+ * with a series for each rock.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
@@ -11,7 +11,7 @@
 #include "cmd/draw/site_chart.h"
 #include "core/model/breakage.h"
 
-/* Up to this many materials have their names beside them, if there is room. */
+/* If there are more materials than this, their names are not drawn. */
 enum { NAMED = 60 };
 
 /* Adds the point of a material; takes ownership of the strings. */
@@ -77,7 +77,7 @@ has_parameter_on_bound(const struct entry *entry)
 }
 
 /* Adds the loaded sites that have parameters: those with a parameter at its
- * bound, or those without. */
+ * bound or, unless `bound`, the others. */
 static void
 add_loaded_sites_to_map(
     struct chart *chart, const struct session *s, bool bound)
@@ -101,8 +101,8 @@ add_loaded_sites_to_map(
 	}
 }
 
-/* Lists the materials of the store.  Of a large store it takes only every so
- * many-th, as many as a chart can show. */
+/* Lists the materials of the store and of Table 3.  From a large store it takes
+ * only every *apart-th material, so that at most MOST are drawn. */
 static bool
 list_every_nth_material(const struct session *s, struct material_list *list,
     size_t *apart, struct error *error)
@@ -118,8 +118,7 @@ list_every_nth_material(const struct session *s, struct material_list *list,
 	return ok;
 }
 
-/* Says where the data are from; loaded sites state it themselves.  The caller
- * frees the words. */
+/* Returns the sources of the data on the map.  The caller frees them. */
 static char *
 map_sources_text(const struct session *s, size_t apart)
 {

@@ -1,6 +1,6 @@
-/* Plots size distributions at one speed (psd), with what was measured, the
- * limits of the envelope, a second prediction and a strip of differences below;
- * and at several speeds (sweep).
+/* psd: plots size distributions at one speed, with the measured ones, the
+ * limits of the envelope, a second prediction, and a strip of differences
+ * below.  sweep: plots them at several speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
@@ -39,8 +39,7 @@ static const struct chart_series LIMITS[2] = {
     {.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '\'', .mark = 'T'},
     {.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '\'', .mark = 'L'}};
 
-/* Adds the lower or the upper limits that lie within the axis, if there are
- * any. */
+/* Adds a series of the lower or the upper limits that lie within the axis. */
 static void
 add_envelope_limit_series(
     struct chart *chart, const struct spec *spec, bool least)
@@ -64,8 +63,8 @@ add_envelope_limit_series(
 	chart_move_last_series_to_back(chart);
 }
 
-/* Adds the limits on sieves within the axis, behind all curves, of the chosen
- * envelope, if any.  notes: describe them in words. */
+/* Adds the limits of the chosen envelope, if any, behind all curves.  notes:
+ * name their source below the chart. */
 static void
 add_envelope_limits(struct chart *chart, const struct session *s, bool notes)
 {
@@ -83,9 +82,9 @@ add_envelope_limits(struct chart *chart, const struct session *s, bool notes)
 		chart_note(chart, "limits: %s", source);
 }
 
-/* Fills only the product in part: the fraction to which the chosen envelope
- * applies, read off the prediction's curve.  Free with prediction_free.
- * Returns false if the envelope is for the whole product. */
+/* Sets part->product, and nothing else in part, to the fraction to which the
+ * chosen envelope applies, read off the prediction's curve.  Free with
+ * prediction_free.  Returns false if the envelope is for the whole product. */
 static bool
 cut_product_to_envelope(const struct session *s, const struct entry *entry,
     const struct prediction *whole, struct prediction *part)
@@ -105,8 +104,8 @@ cut_product_to_envelope(const struct session *s, const struct entry *entry,
 		    cut[i] < sieves->size[0])
 			all.size[all.n++] = cut[i];
 	all.n = psd_sort_distinct_sizes(all.size, all.n, 0);
-	/* The curve of the whole product is exact enough for a drawing.  A
-	 * response of the fraction's own would take longer than the rest of a
+	/* The curve of the whole product is exact enough for a drawing.
+	 * Computing the fraction itself would take longer than all else in a
 	 * step of the slider. */
 	struct psd curve =
 	    screened_fraction_of_product(&whole->curve, &fraction);
@@ -117,8 +116,8 @@ cut_product_to_envelope(const struct session *s, const struct entry *entry,
 	return true;
 }
 
-/* Returns the smallest limit that holds a value.  There are only a few limits,
- * so that the scale does not change while the slider moves. */
+/* Rounds a value up to a limit of the axis.  There are few such limits, so that
+ * the scale seldom changes while the slider moves. */
 static double
 round_up_axis_limit(double value)
 {
@@ -129,7 +128,8 @@ round_up_axis_limit(double value)
 	return 100;
 }
 
-/* Reaches as far below 0 as above, so that 0 does not move. */
+/* Returns an axis that reaches as far below 0 as above, so that 0 stays in
+ * place. */
 static struct axis
 difference_strip_axis(const struct chart *chart)
 {
@@ -143,8 +143,7 @@ difference_strip_axis(const struct chart *chart)
 	return axis;
 }
 
-/* Adds the difference of two curves at each point of the first, where the other
- * has a value. */
+/* Adds the difference a - b at each point of a; NAN where b has no value. */
 static void
 add_difference_curve(struct chart *strip, const struct chart *chart,
     const struct chart_series *a, const struct chart_series *b,
@@ -178,8 +177,8 @@ series_short_name_length(const struct chart_series *s)
 }
 
 /* Returns a title such as "points; line: predicted less pin; marks: measured 74
- * m/s less it", or "points; marks: measured 74 m/s less predicted 72 m/s": the
- * measured speed may differ from that of the prediction. */
+ * m/s less it", or "points; marks: measured 74 m/s less predicted 72 m/s".
+ * The two speeds may differ.  other, measured: the curves compared, or NULL. */
 static char *
 title_of_difference_strip(const struct chart_series *predicted,
     const struct chart_series *other, const struct chart_series *measured)
@@ -217,9 +216,9 @@ add_band_of_differences(
 }
 
 /* Adds a strip of differences below a chart whose last series is the
- * prediction: the prediction minus the second prediction, and minus what was
- * measured nearest to its speed, with the band of the prediction.  Adds nothing
- * if neither exists. */
+ * prediction: the prediction minus the second one, and the product measured at
+ * the nearest speed minus the prediction, with the band of the prediction.
+ * Adds nothing if there is neither. */
 static void
 add_difference_strip(struct chart *chart, int rows)
 {
@@ -249,12 +248,13 @@ add_difference_strip(struct chart *chart, int rows)
 		chart_free(strip);
 }
 
-/* Reads a curve: chart_y_at at a size, chart_x_at at a passing. */
+/* A function that reads a curve: chart_y_at at a size or chart_x_at at a
+ * passing. */
 typedef double reading(
     const struct chart *, const struct chart_series *, double);
 
-/* Adds " feed 16.0 %" to a note; " predicted 33.1 % (31.6 to 34.5)" if the
- * curve has a band there; " feed -" if it has no value. */
+/* Appends " feed 16.0 %" to a note, " predicted 33.1 % (31.6 to 34.5)" if the
+ * curve has a band there, or " feed -" if it has no value. */
 static void
 append_curve_value(char **note, const struct chart *chart,
     const struct chart_series *s, reading *read, double at,
@@ -273,8 +273,8 @@ append_curve_value(char **note, const struct chart *chart,
 		    band->high);
 }
 
-/* A pinned prediction has bands only at its sieves and of its P20, P50 and
- * P80. */
+/* Sets the bands at the crosshair from a pinned prediction, which has bands
+ * only at its sieves and for P20, P50 and P80. */
 static void
 find_crosshair_bands_of_pin(const struct plot_request *q,
     const struct prediction *p, struct figure band[static 2])
@@ -289,7 +289,8 @@ find_crosshair_bands_of_pin(const struct plot_request *q,
 			    NAN, 1000 * p->range[k][0], 1000 * p->range[k][1]};
 }
 
-/* Computes the band of the passing, %, and that of the size, mm. */
+/* Computes the bands at the crosshair: of the passing, %, and of the size,
+ * mm. */
 static void
 compute_crosshair_bands(const struct session *s, const struct plot_request *q,
     const struct params *params, const struct prediction *p,
@@ -310,9 +311,9 @@ compute_crosshair_bands(const struct session *s, const struct plot_request *q,
 	forecast_close(f);
 }
 
-/* Adds a rule.  If the chart has notes, also "at 2 mm: feed 16.0 %, measured 69
- * m/s 29.0 %", and for each curve the size that `level` % pass.  p: the
- * prediction by these parameters, which has a band, or NULL. */
+/* Adds a vertical line.  If the chart has notes, adds "at 2 mm: feed 16.0 %,
+ * measured 69 m/s 29.0 %" and the size of each curve that `level` % pass.  p:
+ * the prediction by these parameters, for its bands, or NULL. */
 static void
 add_crosshair(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params,
@@ -342,9 +343,9 @@ add_crosshair(struct chart *chart, const struct session *s,
 	chart_note(chart, "%s", sizes);
 }
 
-/* Adds a rule at the break size, and a note.  whose: the site of the
- * prediction, or NULL if it is no longer loaded.  Without notes the name of the
- * rule contains no numbers. */
+/* Adds a vertical line at the break size, and a note with P20, P50 and P80.
+ * whose: the site of the prediction, or NULL if it is no longer loaded.  In a
+ * chart without notes the name of the line contains no numbers. */
 static void
 mark_break_size(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct entry *whose,
@@ -383,8 +384,8 @@ mark_break_size(struct chart *chart, const struct session *s,
 	    origin_is_other_site(whose) ? tr("warning: ") : "", from);
 }
 
-/* Shades the band of a prediction by the site's own parameters, which is the
- * last series of the chart. */
+/* Shades the band of the last series, a prediction by the site's own
+ * parameters, or notes why there is no band. */
 static void
 shade_prediction_band(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *p)
@@ -414,7 +415,8 @@ shade_prediction_band(struct chart *chart, const struct session *s,
 		    level, widest);
 }
 
-/* Adds a product, whose passings are read off the curve of its prediction. */
+/* Adds a product.  Values between its sieves are read off the curve of its
+ * prediction.  Takes ownership of the name. */
 static void
 add_product_curve(struct chart *chart, const struct prediction *p, char *name,
     struct chart_series look)
@@ -435,16 +437,17 @@ predict_for_plot(const struct session *s, const struct plot_request *q,
 	return forecast_product(s, &question, speed);
 }
 
-/* A second prediction beside the first, and its site.  p is NULL if there is
- * none; `made` holds it unless it was pinned. */
+/* A second prediction, p, to draw beside the first, or NULL, and its site.
+ * made: holds it, unless the request did. */
 struct second_prediction {
 	const struct prediction *p;
 	const struct entry *whose; /* NULL if no longer loaded */
 	struct prediction made;
 };
 
-/* own: the parameters of the site in use, or NULL.  speed: that of the first
- * prediction.  Fails if the site beside has no prediction. */
+/* Finds or makes the second prediction, if the request has one.  own: the
+ * parameters of the first, or NULL; speed: of the first.  Returns false with an
+ * error if the site beside is not loaded or has no parameters. */
 static bool
 find_second_prediction(struct session *s, const struct plot_request *q,
     const struct params *own, double speed, struct second_prediction *second,
@@ -498,7 +501,8 @@ add_second_predicted_curve(struct chart *chart, const struct session *s,
 	    OTHER);
 }
 
-/* Adds the notes about the two curves, which are the last of the chart. */
+/* Adds break sizes, notes and the band for the two predictions, which are the
+ * last series of the chart. */
 static void
 note_prediction_curves(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct prediction *one,
@@ -516,7 +520,7 @@ note_prediction_curves(struct chart *chart, struct session *s,
 		    last[one != NULL ? -1 : 0]->name, SERIES_OTHER);
 }
 
-/* Names the feed by its run if the site has several. */
+/* Adds the feed, named after its run if each run has its own. */
 static void
 add_feed_curve(struct chart *chart, const struct site *site, size_t run)
 {
@@ -529,9 +533,9 @@ add_feed_curve(struct chart *chart, const struct site *site, size_t run)
 		: xstrdup(tr("feed")));
 }
 
-/* Adds what was measured, or the fraction of it that is drawn.  Adds nothing if
- * the question is about another feed or machine.  Returns the largest distance
- * by which any of it is moved, see largest_move_to_feed. */
+/* Adds the measured products or, if the question has a fraction, that fraction
+ * of them; nothing if it has another feed or machine.  Returns the most by
+ * which a product was moved to the feed, see largest_move_to_feed. */
 static double
 add_measured_curves(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params, double speed)
@@ -561,7 +565,8 @@ add_measured_curves(struct chart *chart, const struct session *s,
 	return moved;
 }
 
-/* Adds the fraction that the envelope in use is for. */
+/* Adds the fraction of the product to which the chosen envelope applies, if
+ * any. */
 static void
 add_curve_cut_to_envelope(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *whole)
@@ -575,7 +580,7 @@ add_curve_cut_to_envelope(struct chart *chart, const struct session *s,
 	prediction_free(&part);
 }
 
-/* The line is dashed if the prediction is extrapolated. */
+/* Adds the first prediction, dashed if it is extrapolated. */
 static void
 add_first_predicted_curve(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
@@ -593,9 +598,9 @@ add_first_predicted_curve(struct chart *chart, const struct session *s,
 	    look);
 }
 
-/* What a plot at one speed shows.  one: the first prediction, by these
- * parameters, or NULL; then `unknown` says what is missing.  made: holds it
- * unless it was made before. */
+/* The predictions of a plot at one speed.  one: the first, by these parameters,
+ * or NULL, and then `unknown` says what is missing.  made: holds it, unless the
+ * request did. */
 struct psd_plot {
 	double speed;
 	struct params params;
@@ -605,7 +610,9 @@ struct psd_plot {
 	struct second_prediction two;
 };
 
-/* Without parameters the measured curves are still worth a look. */
+/* Finds or makes both predictions.  It is not an error if the first is missing,
+ * because the measured curves are still worth a look, unless a generation is
+ * requested. */
 static bool
 find_plotted_predictions(struct session *s, const struct plot_request *q,
     struct psd_plot *p, struct error *error)
@@ -631,7 +638,6 @@ find_plotted_predictions(struct session *s, const struct plot_request *q,
 	return true;
 }
 
-/* Adds all curves and the notes about them. */
 static void
 fill_psd_chart(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct psd_plot *p)

@@ -1,5 +1,6 @@
-/* Plots quantities, their bands, limits, measured values and the window over
- * the range of speeds, with a chart for each unit.
+/* response: plots quantities against the speed, with their bands, limits and
+ * measured values, and the speeds that meet the limits.  There is a chart for
+ * each unit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
@@ -23,10 +24,10 @@
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* The quantities [n] that are drawn, and the limits on them.  moved: the
- * largest distance by which a measured product is moved, see
- * largest_move_to_feed.  The fraction asked about is that of the quantities
- * that name none. */
+/* The quantities [n] to draw, the limits on them, and the range of speeds, m/s.
+ * Quantities that name no fraction have that of the question.  moved: the most
+ * by which a measured product was moved to the feed, see
+ * largest_move_to_feed. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	const struct question *asked;
@@ -64,7 +65,8 @@ choose_response_sieves(struct session *s, struct drawn *d)
 	prediction_free(&p);
 }
 
-/* Adds a quantity unless it is there already.  False if there are too many. */
+/* Adds a quantity unless it is there already.  Returns false if there are too
+ * many. */
 static bool
 add_quantity_once(struct drawn *d, const struct quantity *q)
 {
@@ -86,7 +88,7 @@ error_too_many_quantities(struct error *error)
 	    MOST);
 }
 
-/* Reads what is asked for and checks that the feed covers it. */
+/* Reads the quantities and limits, and checks that the feed covers them. */
 static bool
 parse_drawn_quantities(struct session *s, const char *of_words,
     const char *limits, struct drawn *d, struct error *error)
@@ -119,8 +121,8 @@ parse_drawn_quantities(struct session *s, const char *of_words,
 	return ok;
 }
 
-/* Returns the style of a quantity: colours in turn that no run has, and lines
- * that differ even without colour. */
+/* Returns the style of quantity i, in a colour that no run has and a line that
+ * differs from the others even without colour. */
 static struct chart_series
 quantity_line_style(size_t i)
 {
@@ -166,7 +168,7 @@ add_measured_quantity_marks(struct chart *chart, const struct session *s,
 	}
 }
 
-/* Adds level lines at the limits on a quantity. */
+/* Adds a horizontal line at each limit on a quantity. */
 static void
 add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 {
@@ -187,7 +189,7 @@ add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 	}
 }
 
-/* Sets an axis with round limits that holds all of the chart. */
+/* Sets a y axis with round limits that covers all series of the chart. */
 static void
 set_round_y_axis(struct chart *chart)
 {
@@ -218,7 +220,8 @@ mark_measured_speeds(struct chart *chart, const struct entry *entry)
 	chart_add_rule(chart, SERIES_BREAK, fastest, "to %s", to);
 }
 
-/* Marks where all conditions hold, and the best speed. */
+/* Marks the ranges of speeds at which all conditions hold, and the best
+ * speed. */
 static void
 mark_speed_window(
     struct chart *chart, const struct drawn *d, const struct speed_search *w)
@@ -260,8 +263,7 @@ note_certainty_of_window(struct chart *chart, const struct site *site,
 		    100 * level);
 }
 
-/* Returns the chart of the quantities that have one unit, or NULL if there are
- * none. */
+/* Returns a chart of the quantities in a unit, or NULL if there are none. */
 static struct chart *
 make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 {
@@ -346,9 +348,8 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 		    100 * settings_band_probability(&s->set));
 	else
 		chart_note(last, "%s", band_why_none(s, entry));
-	/* The lines reach beyond the measured speeds, which
-	 * mark_measured_speeds marks. This is the light of the middle speed,
-	 * where it is at its best. */
+	/* The light at the middle speed, where it is at its best.  The lines
+	 * reach beyond the measured speeds, which are marked. */
 	FREED char *light = trust_in_words_at_speed(
 	    s, entry, site_middle_speed(entry->site), d->asked->feed);
 	chart_note(last, "%s", light);
@@ -377,9 +378,6 @@ find_range_of_speeds(const struct session *s, const struct question *asked,
 		   "such as speeds=60..85");
 }
 
-/* Draws the quantities with bands, what was measured, the training speeds, the
- * limits, and where all of them hold.  Each unit has a chart of its own, one
- * below the other. */
 struct chart *
 plots_response(
     struct session *s, const struct plot_request *q, struct error *error)

@@ -1,5 +1,5 @@
-/* Plots each feed once and each product with its prediction by the model alone,
- * as many as can be told apart.
+/* runs: plots each feed once, and each product with its prediction by the model
+ * alone, as many as can be told apart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
@@ -12,7 +12,8 @@
 #include "cmd/draw/site_chart.h"
 #include "core/answer/predict.h"
 
-/* Without colour, a predicted speed is known by its mark, which no run has. */
+/* Marks of the predicted speeds, which no run has, so that they can be told
+ * apart without colour. */
 static const char MARKS[] = "#@%$szNH";
 enum { FURTHER = sizeof MARKS - 1 };
 
@@ -54,7 +55,7 @@ add_distinct_feed_curves(struct chart *chart, const struct site *site)
 	}
 }
 
-/* Adds what the model alone predicts, because that is what a held-out run
+/* Adds the prediction by the model alone, because that is what a held-out run
  * tests. */
 static void
 add_predicted_product_curve(struct chart *chart, const struct session *s,
@@ -69,8 +70,8 @@ add_predicted_product_curve(struct chart *chart, const struct session *s,
 	prediction_free(&p);
 }
 
-/* Adds the product of a run and its prediction, unless the prediction equals
- * that for the run before. */
+/* Adds the product of a run and its prediction, which is left out if it is the
+ * same as for the run before. */
 static void
 add_run_and_predicted_curve(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, size_t run)

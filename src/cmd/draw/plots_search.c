@@ -1,7 +1,6 @@
-/* Takes generations, bounds and the best candidate from the running
- * calibration, or from the history of the last.  Plots residuals of candidates
- * run by run, misfits over the generations, and the ranges of candidates and
- * draws within the bounds.
+/* The search in progress or the history of the last one.  search: plots the
+ * residuals of the candidates at each run; convergence: misfits over the
+ * generations; spread: the ranges of the candidates within the bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_search.h"
 
@@ -63,8 +62,8 @@ search_shown_of_site(const struct session *s, const struct entry *entry)
 	return past;
 }
 
-/* Returns the index of generation 1..n, or of the last for 0.  Returns n with
- * an error if there is none. */
+/* Returns the index of generation 1..n, or for 0 that of the last.  Returns n
+ * with an error if there is no such generation. */
 static size_t
 find_generation_index(const struct entry *entry,
     const struct search_shown *past, size_t generation, struct error *error)
@@ -83,7 +82,7 @@ find_generation_index(const struct entry *entry,
 	return past->n;
 }
 
-/* Returns the best candidate of generation 1..n, or for 0 the final result. */
+/* Returns the best candidate of generation 1..n, or for 0 the best of all. */
 static struct params
 best_params_of_generation(const struct search_shown *past, size_t generation)
 {
@@ -129,8 +128,8 @@ residuals_of_generation(
 	    past->settings, s->isa, &past->generation[at - 1], &best);
 }
 
-/* Returns by how many points the passings near 50 % of two samples differ.
- * Sets *assumed if `set noise` does not state it. */
+/* Returns the standard deviation of a passing near 50 %, points.  Sets *assumed
+ * to true if `set noise` does not state it. */
 static double
 sampling_noise_near_50_percent(const struct session *s, bool *assumed)
 {
@@ -155,7 +154,7 @@ draw_noise_stripe(struct chart *chart, const struct session *s)
 	}
 }
 
-/* Counts the cells of the run that begins at `from`. */
+/* Counts the passings of the run that begins at cell `from`. */
 static size_t
 count_cells_of_run(const struct candidates *c, size_t from)
 {
@@ -165,7 +164,8 @@ count_cells_of_run(const struct candidates *c, size_t from)
 	return n;
 }
 
-/* Adds a run, which is number nth of `runs` side by side. */
+/* Adds the bars and the best candidate of a run, which is drawn as number nth
+ * (from 0) of `runs` side by side. */
 static void
 add_candidate_bars_of_run(struct chart *chart, const struct candidates *c,
     const struct site *site, size_t from, size_t nth, size_t runs)
@@ -220,8 +220,8 @@ sieve_axis_of_candidates(const struct candidates *c)
 	return axis;
 }
 
-/* Returns an axis as far as the candidates reach.  Its limits are few, so that
- * it changes seldom while a search converges. */
+/* Returns an axis that covers all candidates.  It has few possible limits, so
+ * that it seldom changes while a search converges. */
 static struct axis
 difference_axis_of_candidates(const struct candidates *c)
 {
@@ -269,8 +269,7 @@ plots_search_residuals(
 	return chart;
 }
 
-/* Returns an axis that is the same for the whole search and for most
- * searches. */
+/* Returns an axis for all generations.  It is the same for most searches. */
 static struct axis
 convergence_rmse_axis(const struct search_shown *past)
 {
@@ -320,8 +319,8 @@ plots_search_convergence(
 	return chart;
 }
 
-/* Sets span->drawn from the posterior of the calibration that found the
- * parameters, once that is over. */
+/* Sets span->drawn from the draws, once the calibration that found the
+ * parameters is over. */
 static void
 set_span_of_draws(struct session *s, const char *name, struct param_span *span)
 {
@@ -371,9 +370,9 @@ param_span_of_generation(struct session *s, const struct search_shown *past,
 	return span;
 }
 
-/* Gives each parameter a row, the first one on top, half a row from either end.
- * It is slightly less than half, so that rounding does not put two into one row
- * of cells. */
+/* Gives each parameter a row, the first one on top, about half a row from
+ * either end: slightly less, so that rounding does not put two parameters into
+ * one row of cells. */
 static struct axis
 parameter_row_axis(const struct breakage *of)
 {
@@ -388,8 +387,8 @@ parameter_row_axis(const struct breakage *of)
 	return axis;
 }
 
-/* Returns where a value lies within its bounds, %; NAN for a parameter held
- * fixed. */
+/* Returns the position of a value between the bounds, %; NAN for a parameter
+ * held fixed. */
 static double
 position_within_bounds_pct(const struct param_span *span, double value)
 {

@@ -1,5 +1,5 @@
-/* Makes charts with the site's name as title and the source of its data below,
- * and a style for each run.
+/* Charts titled with the site's name, with the source of its data below, and
+ * the styles of series.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/site_chart.h"
 
@@ -26,7 +26,8 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 		   *label = session_site_label(site);
 	va_end(ap);
 	FREED char *title = xasprintf("%s: %s", label, words);
-	FREED char *about = site_source_clause(site, "provenance not stated");
+	FREED char *clause = site_source_clause(site, "provenance not stated"),
+		   *about = site_provenance_in_words(clause);
 	return chart_new(title, about, x, y);
 }
 

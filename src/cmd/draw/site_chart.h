@@ -13,27 +13,28 @@
 struct chart *site_chart(const struct site *site, struct axis x, struct axis y,
     const char *format, ...) __attribute__((format(printf, 4, 5)));
 
-/* Returns an axis with a tick at each of n sieves, m. */
+/* Returns an axis with a tick at each sieve; size [n]: the sieves, m. */
 struct axis site_chart_sieve_axis(const double *size, size_t n);
 
 /* Adds a size distribution, in mm and %, and takes ownership of the name.
- * finer: the same curve at more sizes, off which sizes are read, or NULL. */
+ * finer: the same curve at more sizes, from which values between the points are
+ * read, or NULL. */
 void site_chart_add_psd(struct chart *chart, struct chart_series look,
     const struct psd *psd, const struct psd *finer, char *name);
 
-/* Makes the x axis of a chart over size: the sieves of all its series. */
+/* Sets the x axis to sizes, with ticks at the sieves of all series. */
 void site_chart_set_sieve_axis(struct chart *chart);
 
-/* Sets point k of a series to a figure, as people see it, at x. */
+/* Sets point k of a series: at x, a figure with its band, in the unit shown. */
 void site_chart_set_figure_point(
     struct chart_series *s, size_t k, double x, struct figure at);
 
-/* Completes a series of figures: where a figure has no band, the line serves as
- * its band; if no figure has a band, neither has the series. */
+/* Completes a series of figures.  A point without a band gets one of no width;
+ * if no point has a band, the series has none either. */
 void site_chart_finish_band(struct chart_series *s);
 
-/* Fills series [n], of as many points each, with the first n quantities of a
- * forecast at speeds from..to, evenly. */
+/* Fills line [n], series with equally many points, with the first n quantities
+ * of a forecast at evenly spaced speeds from..to, m/s. */
 void site_chart_fill_speed_lines(struct forecast *f, size_t n, double from,
     double to, struct chart_series *const *line);
 
@@ -47,8 +48,8 @@ void site_chart_show_speeds_in_rpm(
 extern const struct chart_series SITE_CHART_FEED, SITE_CHART_LEVEL,
     SITE_CHART_PREDICTED;
 
-/* Returns style i of those used in turn for several series in a chart; the
- * first 23 differ even without colour. */
+/* Returns the style of series i of several in a chart.  The first 23 differ
+ * even without colour. */
 struct chart_series site_chart_series_style(size_t i);
 
 /* Returns the style for a run's measurements, the same in every plot: marks
@@ -56,23 +57,25 @@ struct chart_series site_chart_series_style(size_t i);
 struct chart_series site_chart_run_style(
     const struct site *site, size_t run, bool held_out);
 
-/* Notes below a chart what hollow marks are, if it has any, and how many runs
- * are not drawn. */
+/* Notes below a chart what hollow marks mean, if it has any, and how many
+ * measured speeds are not drawn. */
 void site_chart_note_run_marks(struct chart *chart, const struct site *site);
 
-/* Notes below a chart that its measured products were moved to the feed, if the
- * largest move, 0..1 (largest_move_to_feed), is large enough to
- * mention. */
+/* Notes below a chart that its measured products were moved to the feed, if
+ * this is worth mentioning.  most: the largest move, 0..1, from
+ * largest_move_to_feed. */
 void site_chart_note_feed_adjustment(struct chart *chart, double most);
 
 /* psd shows the measured products at the SITE_CHART_RUNS speeds nearest to its
- * own; site_chart_count_speeds_left_out returns the number of other speeds. */
+ * own.  site_chart_count_speeds_left_out returns how many speeds that leaves
+ * out. */
 enum { SITE_CHART_RUNS = 12 };
 size_t site_chart_count_speeds_left_out(const struct site *site);
 
-/* Returns the fraction of the product to which the chosen envelope applies, all
- * of it if none is chosen; session_spec_fraction_text returns "0/4.75" for
- * it, or "" for all.  The caller frees the text. */
+/* Returns the fraction of the product to which the chosen envelope applies;
+ * without an envelope it is the whole product.  session_spec_fraction_text
+ * returns it as "0/4.75", or "" for the whole product.  The caller frees the
+ * text. */
 struct fraction session_spec_fraction(const struct session *s);
 char *session_spec_fraction_text(const struct session *s);
 

@@ -43,8 +43,8 @@ join_validated_sites(const struct parts *parts, struct error *error)
 	return r;
 }
 
-/* The contents of all stores.  path: of each material's store; at: the place
- * in the list of each material that no site has taken yet, by its name without
+/* The contents of all stores.  path: the store of each material; at: index in
+ * the list of each material that no site has taken yet, by its name without
  * case and accents. */
 struct stores_read {
 	struct material_list list;
@@ -77,8 +77,8 @@ read_store_materials(
 	return ok;
 }
 
-/* Takes the material of a site.  It must come from the very same calibration,
- * which its misfit shows to the last bit. */
+/* Takes the material of a site out of `at`. It must be from the same
+ * calibration as the part: its misfit must agree to the last bit. */
 static bool
 take_calibrated_material(const struct stores_read *shelf,
     const struct part_row *row, const char *version, struct material *item,
@@ -107,8 +107,8 @@ take_calibrated_material(const struct stores_read *shelf,
 		   item->version);
 }
 
-/* Stores the materials of the sites, in their order.  Fails if one belongs to
- * no site. */
+/* Stores the materials of the sites, in the order of the sites.  Fails if a
+ * material belongs to no site. */
 static bool
 store_collected_materials(struct session *s, const struct stores_read *shelf,
     const struct parts *parts, bool replace, struct error *error)

@@ -1,4 +1,4 @@
-/* drift: routine cuts on control charts against their predictions.
+/* drift: control charts of routine cuts, compared with their predictions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string.h>
@@ -14,15 +14,16 @@
 
 static const uint64_t SEED = 1; /* seed of the simulated run lengths */
 
-/* Returns the CUSUM of the side that is nearer to its limit, with a sign. */
+/* Returns the larger of the two CUSUMs, the downward one as negative. */
 static double
 cusum_nearest_to_limit(const struct drift_chart *c)
 {
 	return c->down > c->up ? -c->down : c->up;
 }
 
-/* charts: with the numbers that decide.  Programs get measured minus predicted;
- * people get predicted minus measured, as in all other comparisons. */
+/* charts: also add the numbers of the charts.  Programs get measured minus
+ * predicted; people get predicted minus measured, as in all other
+ * comparisons. */
 static void
 add_rows_of_cuts(
     struct answer *a, const struct routine *r, bool charts, bool programs)
@@ -50,7 +51,7 @@ add_rows_of_cuts(
 			answer_add_cells(a, "%.1f %.1f %.1f %.1f %.1f",
 			    sign * level->ewma, level->ewma_limit, level->up,
 			    level->down, sign * cusum_nearest_to_limit(tilt));
-		answer_add_cells(a, "%s", ROUTINE_STATE[p->state]);
+		answer_add_cells(a, "%s", tr(ROUTINE_STATE[p->state]));
 	}
 }
 
@@ -63,8 +64,8 @@ cut_number_and_date(const struct routine *r, size_t cut)
 			       : xasprintf("%zu", cut + 1);
 }
 
-/* Returns the speeds of the cuts from `from` on: "72,76".  *n: how many
- * differ. */
+/* Returns the different speeds of the cuts from `from` on, "72,76", and sets *n
+ * to their number. */
 static char *
 speeds_of_cuts_text(const struct routine *r, size_t from, size_t *n)
 {
@@ -82,10 +83,10 @@ speeds_of_cuts_text(const struct routine *r, size_t from, size_t *n)
 	return list;
 }
 
-/* Nobody waits for more cuts than this. */
+/* A drift that takes more cuts than this to find counts as not found. */
 enum { LATE = 50 };
 
-/* Says when it began, if the last cut is beyond a limit. */
+/* Says when the drift began, if the last cut signals one. */
 static void
 say_when_drift_began(struct answer *a, const struct routine *r)
 {
@@ -142,9 +143,9 @@ say_when_to_recalibrate(struct answer *a, const struct entry *entry,
 	    speeds, since);
 }
 
-/* Returns the smallest shift of the mean of the sieves, passing, in steps of
- * half a point, that the next cut alone shows in half of all cases; NAN if none
- * up to MOST does. */
+/* Returns the smallest shift of the mean passing, in steps of half a point,
+ * that the next cut alone would show in half of all cases; NAN if it is MOST or
+ * more. */
 static double
 smallest_shift_shown_at_once(const struct routine *r)
 {
@@ -157,8 +158,8 @@ smallest_shift_shown_at_once(const struct routine *r)
 	return NAN;
 }
 
-/* Says what a few cuts can show.  Of fewer than MEASURES cuts the smallest
- * change depends mostly on whether the calibration has seen them. */
+/* Says what a few cuts can show.  With fewer than MEASURES cuts, the smallest
+ * change depends mostly on whether the calibration included them. */
 static void
 say_what_few_cuts_show(struct answer *a, const struct routine *r)
 {
@@ -237,7 +238,7 @@ say_control_limits(struct answer *a, const struct routine *r, bool detail)
 	    isfinite(found) ? found : (double)NAN);
 }
 
-/* What the cuts are compared with, and in which order. */
+/* Says what the cuts are compared with, and in which order. */
 static void
 say_basis_of_control_charts(
     struct answer *a, const struct session *s, const struct routine *r)
@@ -282,7 +283,8 @@ drift_put_fields(struct answer *a, const struct routine *r)
 	    units_mm(r->worst), 100 * r->by, r->drawn ? "posterior" : "noise");
 }
 
-/* A cut that is missed is no drift, but not in order either. */
+/* Says whether the cuts drift.  A single cut that the prediction misses is not
+ * a drift, but gets a warning. */
 static void
 say_whether_drifting(struct answer *a, const struct routine *r,
     const struct later *later, double rotor)

@@ -1,4 +1,4 @@
-/* The table of a fit and its fields; history: the generations of a search.
+/* The report on a fit and its fields; history: the generations of a search.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/fit_report.h"
 
@@ -22,7 +22,7 @@
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
-/* Puts the training speeds, or the other speeds. */
+/* Puts the speeds of the training runs or, unless `trained`, of the others. */
 static void
 put_run_speeds_field(
     struct fields *o, const char *key, const struct entry *entry, bool trained)
@@ -65,8 +65,8 @@ fit_put_fields(struct fields *o, const struct entry *entry, const char *verdict,
 					: 0);
 }
 
-/* Adds what the fit is worth where nothing breaks, and whether the break size
- * explains that. */
+/* Says, if nothing breaks, that the parameters fit sampling errors, and whether
+ * that is because the feed is finer than the break size. */
 static void
 explain_why_nothing_breaks(struct answer *r, const struct entry *entry)
 {
@@ -91,8 +91,8 @@ explain_why_nothing_breaks(struct answer *r, const struct entry *entry)
 		    fastest->speed, rpm, units_mm(x), 100 * coarser);
 }
 
-/* Returns the range of a parameter: that of its bounds, or 2 in the gauge,
- * which is scaled to 1. */
+/* Returns the width of a parameter's bounds: 2 for those in the gauge, which
+ * are scaled to -1..1. */
 static double
 width_of_parameter_bounds(
     const struct fit *fit, const struct bounds *bounds, size_t j)
@@ -121,7 +121,8 @@ is_flat_step_within_bounds(
 	return fits;
 }
 
-/* both: the step may be reversed. */
+/* list: the parameters with their steps.  both: the bounds also allow the
+ * reverse of the step. */
 static void
 say_undetermined_parameters(
     struct answer *r, const char *list, bool several, bool both)
@@ -144,9 +145,10 @@ say_undetermined_parameters(
 	    list);
 }
 
-/* Names the parameters that can move far together for a tenth more misfit,
- * each with its step, in a direction that the bounds allow.  If the steps
- * leave the bounds either way, the data say nothing about them. */
+/* Names the parameters that can move far together while the misfit rises by
+ * only a tenth, each with its step, in a direction that the bounds allow.  If
+ * the steps leave the bounds in both directions, says that the data hardly
+ * constrain them. */
 static void
 note_undetermined_parameters(
     struct answer *r, const struct fit *fit, const struct bounds *bounds)
@@ -179,7 +181,7 @@ note_undetermined_parameters(
 		say_undetermined_parameters(r, list, n > 1, ahead && back);
 }
 
-/* Warns of what speaks against the fit. */
+/* Adds warnings and remarks about data that the fit does not explain. */
 static void
 add_warnings_of_fit(struct answer *r, const struct entry *entry)
 {
@@ -253,7 +255,8 @@ add_parameter_rows(struct answer *r, const struct session *s,
 	}
 }
 
-/* Notes how much lower a polished search would end. */
+/* For a search without polish, notes how far above the lowest misfit it
+ * ended. */
 static void
 note_misfit_of_polished_search(struct answer *r, const struct fit *fit)
 {
@@ -286,7 +289,8 @@ note_bounds_edited(struct answer *r, const struct fit *fit)
 		    fit->edited_at);
 }
 
-/* Adds what the search did and how well it determines the parameters. */
+/* Adds notes on the misfit, on how the search went, and on parameters that are
+ * poorly determined. */
 static void
 add_search_summary(
     struct answer *r, const struct entry *entry, const struct bounds *bounds)
@@ -310,7 +314,7 @@ add_search_summary(
 	note_undetermined_parameters(r, fit, bounds);
 }
 
-/* Notes what would test a fit without a held-out speed. */
+/* Notes how to test a fit for which no speed was held out. */
 static void
 note_how_to_test_fit(struct answer *r, const struct entry *entry)
 {
@@ -324,7 +328,8 @@ note_how_to_test_fit(struct answer *r, const struct entry *entry)
 			       "to test the model"));
 }
 
-/* Sums up the quality of the fit, and what tests it. */
+/* Notes the quality of the fit, and its error at the held-out speeds or how to
+ * test it. */
 static void
 add_fit_summary(
     struct answer *r, const struct session *s, const struct entry *entry)
@@ -352,7 +357,8 @@ add_fit_summary(
 		note_how_to_test_fit(r, entry);
 }
 
-/* Returns the answer with the parameters and the course of the search. */
+/* Returns the report for calibrate detail=on or show fit (`command`), with the
+ * parameters and the course of the search. */
 static struct answer *
 build_detailed_fit_report(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, const char *command)
@@ -392,7 +398,8 @@ fit_last_asked_answer(const struct session *s, const struct entry *entry)
 	return former;
 }
 
-/* Notes by how much the answer moved from that of the former calibration. */
+/* Notes the new answer to what was last asked about, and the answer before this
+ * calibration. */
 static void
 note_change_of_answer(
     struct answer *r, const struct session *s, const struct entry *entry)
@@ -451,8 +458,8 @@ fit_build_report(const struct session *s, const struct entry *entry,
 	if (answers_show_fit_basis(s, r, entry, false) == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
 	else if (fit_nothing_breaks(entry))
-		answer_note(r, "next: 'show data' has feed and products side "
-			       "by side");
+		answer_note(r, "next: 'show feed' and 'show product' have "
+			       "the curves");
 	else
 		answer_note(r,
 		    "next: 'predict %s', or any speed; 'show fit' "
@@ -477,7 +484,7 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 		   s, entry, &entry->history->bounds, NAN, "show"));
 }
 
-/* The rows of a table that fit on a screen together with its heading. */
+/* The number of rows that fit on a screen below the heading of a table. */
 enum { ROWS = 18 };
 
 static void

@@ -1,5 +1,5 @@
-/* Starts, pauses, ends and summarises calibrations.  The driver runs them step
- * by step.
+/* Starts, pauses and ends calibrations, and sums up their results.  The driver
+ * runs them step by step.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/job.h"
 
@@ -17,6 +17,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/invocation.h"
+#include "cmd/session/undo.h"
 #include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
@@ -35,7 +36,7 @@ note_calibration_begun(struct session *s)
 	    session_run_rpm_in_brackets(entry->site, s->job.train, true);
 	FREED char *held_rpm =
 	    session_run_rpm_in_brackets(entry->site, s->job.train, false);
-	/* They correct the answers of a site's own fit. */
+	/* Held-out runs, too, correct the answers of a site's own fit. */
 	bool included = s->job.fits && s->set.correction == CORRECTION_ALL;
 	const char *kept = included ? tr("kept as a check, then included")
 				    : tr("kept as a check");
@@ -148,7 +149,7 @@ job_hold_out_next_speed(const struct site *site, double *speed, bool *train)
 	return true;
 }
 
-/* Keeps the job's generations and misfit with its site. */
+/* Copies the generations of the search to its site, for history and plots. */
 static void
 copy_search_history(struct entry *entry, const struct job *job)
 {
@@ -168,7 +169,7 @@ copy_search_history(struct entry *entry, const struct job *job)
 	entry->history = h;
 }
 
-/* Returns the job's options as typed, which later tell how the fit was
+/* Returns the job's options as they would be typed, to record how the fit was
  * found.  Bounds are named only if they are not the defaults. */
 static char *
 calibrate_options_text(const struct session *s, const struct fit *fit)
@@ -227,8 +228,8 @@ set_site_fit_from_job(struct session *s)
 	s->job.taken = true;
 }
 
-/* Runs a step of the polished search with which a plain one is compared.
- * Returns true if it is complete or not wanted. */
+/* Runs a step of the polished search with which the result of a plain search is
+ * compared.  Returns true if it is complete or not needed. */
 static bool
 step_polished_search(struct session *s)
 {
@@ -251,8 +252,9 @@ step_polished_search(struct session *s)
 	return calibration_step(job->lowest) >= CALIBRATE_TOLERANCE;
 }
 
-/* Drawing the posterior, which the light needs, takes longer than many
- * generations. */
+/* Takes the fit when its search is complete; then draws a part of the
+ * posterior, which the light needs.  Returns true when all is drawn.  Drawing
+ * takes longer than many generations, hence the parts. */
 static bool
 step_posterior_of_fit(struct session *s)
 {
@@ -270,8 +272,8 @@ show_fit_report(struct session *s)
 	bool fits = s->job.fits;
 	if (s->job.detail)
 		session_note(s, "  done in %.2f s", seconds);
-	/* Its answers are those of the fit, no longer of the search, which a
-	 * stopped job still is. */
+	/* A stopped job counts as a search in progress, but the report is about
+	 * the fit. */
 	s->job.fits = false;
 	struct answer *answer = fit_build_report(s, &s->entry[s->job.entry],
 	    calibration_bounds(s->job.calibration), seconds, s->job.detail);
@@ -279,7 +281,7 @@ show_fit_report(struct session *s)
 	session_show_answer(s, answer);
 }
 
-/* "alpha at bound; same data as ubbarp; poor". */
+/* Returns remarks such as "alpha at bound; same data as ubbarp; poor". */
 static char *
 fit_remarks_text(const struct session *s, const struct entry *entry)
 {
@@ -316,7 +318,7 @@ add_calibrated_site_row(
 	part_add_site_row(r, entry->key, number, words);
 }
 
-/* A job with one calibration has its site and its runs from the start. */
+/* The site and the runs of a single calibration are set from the start. */
 static bool
 has_single_fit_to_run(struct session *s)
 {
@@ -351,7 +353,7 @@ struct all_fits {
 	bool train_all;
 	struct part part;
 	size_t n, *index; /* the sites of the part so far */
-	char *options;    /* options that all parts must have */
+	char *options;    /* options on which all parts must agree */
 	struct answer *summary;
 };
 
@@ -408,7 +410,7 @@ set_fit_and_add_row(struct session *s)
 	const struct entry *entry = &s->entry[s->job.entry];
 	if (!s->job.taken)
 		set_site_fit_from_job(s);
-	/* The table of sites has none of these fields. */
+	/* The table of sites does not have these fields; assert reads them. */
 	struct answer *answer = answer_new("calibrate");
 	fit_put_fields(answer_fields(answer), entry,
 	    verdict_without_draws(s, entry), session_clock() - s->job.started);
@@ -450,7 +452,7 @@ end_job(struct session *s)
 	type->end(s, of);
 }
 
-/* Goes on to the next task, or ends the job. */
+/* Keeps the task's result, then begins the next task or ends the job. */
 static void
 begin_next_task_or_end_job(struct session *s)
 {
@@ -461,7 +463,7 @@ begin_next_task_or_end_job(struct session *s)
 		end_job(s);
 }
 
-/* Runs a step of a task's search.  Returns true if there is no more to do. */
+/* Runs a step of a task's search.  Returns true if the search is over. */
 static bool
 is_search_over_after_step(struct calibration *c)
 {
@@ -497,7 +499,7 @@ struct running_task {
 	void *found;
 };
 
-/* Runs a task until it is complete or the user waits. */
+/* Runs a task until it is complete or should stop. */
 static void
 run_task_to_end(void *data, size_t piece, unsigned thread)
 {
@@ -514,7 +516,7 @@ run_task_to_end(void *data, size_t piece, unsigned thread)
 	}
 }
 
-/* Lists the present task and those after it, at most `most`. */
+/* Lists the present task and the next ones, at most `most` in all. */
 static size_t
 list_next_tasks(struct session *s, struct running_task *ahead, size_t most)
 {
@@ -534,8 +536,8 @@ list_next_tasks(struct session *s, struct running_task *ahead, size_t most)
 	return n;
 }
 
-/* Takes the results in the order of the tasks.  If one was stopped, it
- * becomes the present task, and those after it start again. */
+/* Takes the results in the order of the tasks.  If a task was stopped, it
+ * becomes the present task, and the results of those after it are dropped. */
 static void
 take_parallel_results(
     struct session *s, const struct running_task *ahead, size_t n)
@@ -587,8 +589,8 @@ session_run_parallel_tasks(struct session *s)
 	take_parallel_results(s, ahead, n);
 }
 
-/* Returns the misfit of the site's own parameters with the job's runs,
- * weights and settings; INFINITY if it has none or the settings do not allow
+/* Returns the misfit of the site's present parameters for the job's runs,
+ * weights and settings, or INFINITY if it has none or the settings do not allow
  * their breakage model. */
 static double
 misfit_of_present_params(const struct session *s)
@@ -609,9 +611,9 @@ misfit_of_present_params(const struct session *s)
 	return misfit;
 }
 
-/* True if the best of a stopped search replaces the site's parameters.  A
- * better fit is not given up for a search that is half done; one that is
- * complete and lacks only its draws always counts. */
+/* True if the best of a stopped search replaces the site's parameters.  Half a
+ * search does not replace a better fit.  A search that is complete and lacks
+ * only its draws always does. */
 static bool
 is_stopped_fit_worth_taking(const struct job *job, double best, double present)
 {
@@ -645,10 +647,10 @@ note_calibration_stopped(
 		    s->job.options.generations, best, present);
 }
 
-/* Before the first generation there is nothing to keep.  What the site got
- * when the job was stopped earlier is half done, too, and may be outside
- * bounds that were edited since; so the best is compared with the parameters
- * before that. */
+/* Takes the best fit so far if it is worth it; before the first generation
+ * there is none.  If the job was stopped before, the site may have the result
+ * of that stop, which is half done, too, and may lie outside bounds edited
+ * since.  So the best is compared with the parameters before that. */
 static enum stopped
 take_best_fit_on_stop(struct session *s)
 {
@@ -688,6 +690,7 @@ session_stop_job_for_user(struct session *s)
 	}
 	s->job.paused = true;
 	s->job.held_back = stopped == STOPPED_WORSE;
+	s->job.undo_steps = undo_count_steps(s);
 	s->job.stopped = session_clock();
 	return stopped;
 }
@@ -789,7 +792,7 @@ check_runs_have_deviations(
 	return true;
 }
 
-/* Turns weights in the order of the training runs into one for each run. */
+/* Assigns the given weights to the training runs, in their order. */
 static bool
 assign_weights_to_runs(const struct site *site, const bool *train,
     const struct number_list *given, double **run_weight, struct error *error)
@@ -825,12 +828,10 @@ job_default_options(const struct session *s)
 	return o;
 }
 
-/* The population of `calibrate all`: fewer candidates are enough to find the
- * starts that the polish needs; doc/decisions/search-and-polish.md has the
- * count. */
+/* The population of `calibrate all`. So few candidates are enough to find
+ * starting points for the polish: see doc/decisions/search-and-polish.md. */
 enum { POPULATION_OF_MANY = 2500 };
 
-/* Values of calibrate's options. */
 enum { PRESET_PAPER = 1, WEIGHTS_SD = 1 };
 
 static struct calibrate_options
@@ -938,7 +939,7 @@ require_paused_calibration(
 	    name);
 }
 
-/* Continues within the session's bounds if they were edited. */
+/* If the session's bounds were edited, continues within them. */
 static void
 continue_in_edited_bounds(struct session *s)
 {
@@ -955,7 +956,7 @@ continue_in_edited_bounds(struct session *s)
 	if (job->options.plain || memcmp(&s->set.bounds, &job->options.bounds,
 				      sizeof s->set.bounds) == 0)
 		return;
-	/* Only the draws are missing. */
+	/* Only draws are missing. */
 	if (calibration_status(job->calibration).state >= CALIBRATE_TOLERANCE) {
 		session_note(s,
 		    "  the search has ended; 'calibrate' begins within the "

@@ -16,9 +16,9 @@
 #include "core/check/league.h"
 #include "core/check/validate.h"
 
-/* Returns the breakage model of a row.  The rows are all models and, if
- * collision energies are set, as the last one the paper's model with them
- * (D15). */
+/* Returns the index of the breakage model of a row.  There is a row for each
+ * model and, if collision energies are set, a last one for the paper's model
+ * with them (D15). */
 static size_t
 breakage_index_of_row(size_t row)
 {
@@ -32,9 +32,9 @@ model_name_of_row(size_t row)
 					     : "grunditz+energies";
 }
 
-/* A model at a site.  fit, parameters, aicc: on the site's training runs. last:
- * the fit of the present task, where a larger model starts.  runs: the held-out
- * runs. */
+/* A model at a site.  fit, parameters, aicc: on the site's training runs.
+ * last: its fit on the runs of the present task, which gives models that extend
+ * it a starting point.  runs: the held-out runs. */
 struct tried_model {
 	struct fit fit, last;
 	size_t parameters;
@@ -51,8 +51,9 @@ struct site_models {
 	struct tried_model *model; /* [n_model] */
 };
 
-/* at, end: the present site and the one to stop before.  speed: held out in
- * turn, 0 before the first.  model: that of the present task. */
+/* The state of one `league`. at, end: the present site, and the one to stop
+ * before.  speed: the speed now held out in turn, 0 before the first.  model:
+ * row of the present task. */
 struct league {
 	bool all;
 	size_t n, at, end, model, n_model;
@@ -75,8 +76,8 @@ league_free(void *of)
 	free(l);
 }
 
-/* Returns the default bounds, with those that were set for parameters of the
- * same name. */
+/* Returns the default bounds of a model.  A parameter that the session's model
+ * has too gets the session's bounds. */
 static struct bounds
 bounds_of_model(const struct session *s, size_t model)
 {
@@ -93,8 +94,8 @@ bounds_of_model(const struct session *s, size_t model)
 	return b;
 }
 
-/* Sets up the task's model, which starts from the best of the models that it
- * extends. */
+/* Sets up the task's model.  It starts from the fit of the best model that it
+ * extends, if any. */
 static bool
 begin_fit_of_model(struct session *s)
 {
@@ -115,7 +116,8 @@ begin_fit_of_model(struct session *s)
 	return true;
 }
 
-/* Begins a site, with its own training runs. */
+/* Begins a site, with the training runs of its fit, if any.  Returns false if
+ * it has no run to calibrate on. */
 static bool
 begin_fits_of_site(struct session *s)
 {
@@ -140,8 +142,8 @@ begin_fits_of_site(struct session *s)
 	return true;
 }
 
-/* Goes on to the next model; then to the next speed to hold out, if no run
- * was held out anyway; then to the next site. */
+/* Begins the next model; after the last, the next speed to hold out, if the
+ * site has no held-out run; after the last of those, the next site. */
 static bool
 begin_next_model_or_site(struct session *s)
 {
@@ -189,7 +191,7 @@ add_model_result(struct session *s)
 
 /* Returns the sampling error of a passing at a site: the residual error of the
  * model that explains the training runs best, but at least 0.1 points; 0.5
- * points if no model has runs enough. */
+ * points if no model has more passings than parameters. */
 static double
 sampling_error_at_site(const struct site_models *g)
 {
@@ -205,13 +207,13 @@ sampling_error_at_site(const struct site_models *g)
 	return isfinite(variance) ? fmax(sqrt(variance), least) : unknown;
 }
 
-/* The verdict on one site, or on several together: models [n_model] with their
- * misfits, parameters and AICc added up, the held-out runs of all sites, and
- * the errors of the null models.  simplest: of the models that remain, the one
- * that the others extend, if there is one.  winner: the null model with the
- * smallest error, if the best model errs by more than that and sampling errors
- * do not explain it; otherwise VALIDATE_MODEL. none: no model remains, because
- * even the best misses the held-out runs. */
+/* The verdict on the models [n_model] at one site or at several: their misfits,
+ * parameters and AICc summed over the sites, the held-out runs of all sites,
+ * and the errors of the null models.  simplest: of the models that remain, the
+ * one that the others extend, or else the best.  winner: the null model with
+ * the smallest error, if the best model errs by more than sampling explains;
+ * otherwise VALIDATE_MODEL.  none: no model remains, because even the best
+ * misses the held-out runs. */
 struct verdict {
 	size_t n, n_run, n_model, cells, best, simplest, *parameters;
 	struct league_cell *cell;
@@ -220,8 +222,9 @@ struct verdict {
 	double rmse[VALIDATE_WAYS];
 	bool can_tell, ranked, none;
 	enum validate_way winner;
-	/* The share of the straight line in the answer between measured speeds,
-	 * 0..1; the model in use has the rest.  NAN without draws. */
+	/* straight: the share of the straight line in the answer between
+	 * measured speeds, 0..1, NAN without draws.  in_use: the model that has
+	 * the rest. */
 	size_t in_use;
 	double straight;
 };
@@ -240,8 +243,8 @@ verdict_free(struct verdict *v)
 	free(v->misfit);
 }
 
-/* Adds the cells of a site's runs that were held out.  Their sampling error is
- * larger in the middle of a curve than at its ends, as h is (D13). */
+/* Adds the passings of a site's held-out runs.  Their sampling error is larger
+ * in the middle of a curve than at its ends, in proportion to h (D13). */
 static void
 add_held_out_cells(struct verdict *v, const struct site_models *g)
 {
@@ -266,7 +269,8 @@ add_held_out_cells(struct verdict *v, const struct site_models *g)
 		    sqrt(h);
 }
 
-/* Appends what a way predicts at the cells of the runs to passing [n]. */
+/* Appends what a way predicts for the held-out passings of the runs to passing
+ * [n]. */
 static void
 append_predicted_passings(double **passing, size_t n, const struct trials *runs,
     enum validate_way way)
@@ -281,7 +285,8 @@ append_predicted_passings(double **passing, size_t n, const struct trials *runs,
 	}
 }
 
-/* Adds a site.  Its AICc count if all models have one. */
+/* Adds a site.  Its AICc count only if all models have one, unless the verdict
+ * is on this site alone. */
 static void
 add_site_to_verdict(struct verdict *v, const struct site_models *g, bool alone)
 {
@@ -367,9 +372,9 @@ null_model_beating_best(const struct verdict *v)
 	return ahead;
 }
 
-/* Returns the standing of a model in words.  No model is the best without
- * AICc and hold-out error, nor is one that errs more than a null model; it
- * is beaten if sampling errors do not explain that. */
+/* Returns the standing of a model in words.  Without AICc and hold-out error,
+ * or if a null model errs less, no model is called best; if sampling errors do
+ * not explain the latter, the best model is "beaten". */
 static const char *
 standing_of_model_text(const struct verdict *v, size_t m)
 {
@@ -384,8 +389,8 @@ standing_of_model_text(const struct verdict *v, size_t m)
 	return tr(STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE]);
 }
 
-/* Returns the share of a model in the answer between measured speeds, per
- * cent. */
+/* Returns the share of a model in the answer between measured speeds, %, or NAN
+ * without draws. */
 static double
 model_weight_pct(const struct verdict *v, size_t m)
 {
@@ -420,8 +425,9 @@ put_league_fields(struct fields *o, const struct verdict *v)
 		    o, "interpolation_weight_pct %g", 100 * v->straight);
 }
 
-/* Adds the models, then the null models.  programs: with the difference in AICc
- * from the best model, for which people have no room. */
+/* Adds a row for each model, then for each null model.  programs: add the
+ * difference in AICc from the best model, for which the table for people has no
+ * room. */
 static void
 add_model_rows(struct answer *r, const struct verdict *v, bool programs)
 {
@@ -444,8 +450,8 @@ add_model_rows(struct answer *r, const struct verdict *v, bool programs)
 			answer_add_cells(r, "%.0f", model_weight_pct(v, m));
 	}
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-		answer_add_cells(
-		    r, "%s %g %.5f %.1f", SCORES_WAYS[way].key, NAN, NAN, NAN);
+		answer_add_cells(r, "%s %g %.5f %.1f", tr(SCORES_WAYS[way].key),
+		    NAN, NAN, NAN);
 		if (programs)
 			answer_add_cells(r, "%.1f", NAN);
 		answer_add_cells(
@@ -512,7 +518,6 @@ say_best_model(struct answer *r, const struct verdict *v)
 		    100 * v->rmse[v->winner], 100 * v->model[v->best].rmse);
 }
 
-/* Adds how to read the table. */
 static void
 note_how_to_read_table(
     struct answer *r, const struct verdict *v, bool each, bool alone)
@@ -574,7 +579,8 @@ note_model_in_use(
 	    name);
 }
 
-/* Finds the shares of the models in the site's answers. */
+/* Sets the shares of the model in use and of the straight line in the site's
+ * answers, if there are draws. */
 static void
 find_model_weights(
     struct verdict *v, const struct session *s, const struct entry *entry)
@@ -589,7 +595,6 @@ find_model_weights(
 	v->straight = p->straight;
 }
 
-/* Notes the weights. */
 static void
 note_model_weights(struct answer *r, const struct verdict *v)
 {

@@ -66,7 +66,7 @@ set_site_params(struct session *s, struct entry *entry, const struct params *p,
 	entry->origin = origin;
 }
 
-/* Refuses a parameter that only other models have. */
+/* Sets an error if the call names a parameter that the model does not have. */
 static bool
 check_params_are_of_model(
     const struct args *args, const struct breakage *of, struct error *error)
@@ -86,9 +86,9 @@ check_params_are_of_model(
 	return true;
 }
 
-/* Sets the parameters that are named.  The others keep their value or, if the
- * site has none yet, get their starting value; those without one must be
- * named. */
+/* Sets the parameters that the call names.  The others keep their values or, if
+ * the site has none yet, get starting values; parameters without a starting
+ * value must be named. */
 static bool
 set_named_params(
     struct session *s, const struct args *args, struct error *error)
@@ -119,8 +119,8 @@ set_named_params(
 	return true;
 }
 
-/* Returns the loaded site that the second operand names, if it has
- * parameters. */
+/* Returns the loaded site that the second operand names, or NULL with an error
+ * if there is no such site or it has no parameters. */
 static const struct entry *
 find_site_with_params(
     struct session *s, const struct args *args, struct error *error)
@@ -162,8 +162,8 @@ copy_params_of_site(
 	return true;
 }
 
-/* Compares the parameters of the site in use with those of another, both
- * scaled. */
+/* Compares the parameters of the site in use with those of another site, with
+ * the gauge of both scaled to 1. */
 static bool
 compare_params_of_sites(
     struct session *s, const struct args *args, struct error *error)
@@ -202,7 +202,8 @@ compare_params_of_sites(
 	return session_show_answer(s, r);
 }
 
-/* Only set takes values; only diff and use take a site. */
+/* values: the verb takes values of parameters; operands: the most it takes,
+ * counting itself. */
 static const struct {
 	const char *verb;
 	bool values;

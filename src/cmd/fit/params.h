@@ -1,4 +1,4 @@
-/* Commands for the model: params, bounds.
+/* Parameters of a site that were not calibrated on it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_PARAMS_H
 #define TIPSPEED_CMD_FIT_PARAMS_H

@@ -1,5 +1,5 @@
 /* Reads "2/5" or the task number that a batch system sets, chooses the sites,
- * and adds a digest (FNV-1a) of all loaded data and options to an answer.
+ * and adds all options and a digest (FNV-1a) of the loaded data to an answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/part.h"
 
@@ -11,8 +11,9 @@
 #include "base/xalloc.h"
 #include "config.h"
 
-/* The variables by which engines tell a task its place.  first: the number of
- * the first task, or NULL if that is always 0.  step: NULL if always 1. */
+/* Environment variables that tell a task its number and the number of tasks.
+ * first: the number of the first task; NULL: it is always 0.  step: from one
+ * number to the next; NULL: it is always 1. */
 static const struct engine {
 	const char *number, *of, *first, *step;
 } ENGINES[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT",
@@ -119,7 +120,8 @@ part_add_site_row(struct answer *answer, const char *site,
 	    remark);
 }
 
-/* Appends the collision energies as a digest, because they are many numbers. */
+/* Appends a digest of the collision energies, because they are too many numbers
+ * to list. */
 static void
 append_digest_of_impacts(char **words, const struct impacts *impacts)
 {

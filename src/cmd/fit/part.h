@@ -1,5 +1,5 @@
-/* Division of many sites into parts for several programs, and the table of
- * sites that joins the parts.
+/* Divides many sites into parts for several programs, and makes the table of
+ * sites into which collect joins the parts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_PART_H
 #define TIPSPEED_CMD_FIT_PART_H
@@ -8,37 +8,38 @@
 #include "cmd/session/session.h"
 #include "io/formats/answer.h"
 
-/* Part `number`, from 1, of `of`: every of-th site.  of 0: all sites.  from:
- * the source of the part, "part" or an environment variable. */
+/* Part `number` (from 1) of `of` parts: every of-th site.  of 0: all sites.
+ * from: where the part was stated, "part" or the name of an environment
+ * variable. */
 struct part {
 	size_t number, of;
 	const char *from;
 };
 
-/* Reads the part from part= in the call, or else from the environment set by
- * Slurm for tasks of a job array or by Open MPI for ranks.  all: the call is
- * for all sites; other calls have no part. */
+/* Reads the part from part= of the call, or else from the environment that
+ * Slurm sets for the tasks of a job array and Open MPI for its ranks.  all: the
+ * call is about all sites; for other calls part= is an error. */
 bool part_from_args(
     const struct args *args, bool all, struct part *part, struct error *error);
 
 /* True if the part contains site `index`, from 0. */
 bool part_has_site(const struct part *part, size_t index);
 
-/* part_new_calibrate_answer returns the answer of `calibrate all`;
- * part_add_site_row adds a site to it: f_mat, e0_min, alpha, the misfit, its
- * RMSE and that of the held-out runs, points. */
+/* part_new_calibrate_answer returns the answer of `calibrate all`, without
+ * rows.  part_add_site_row adds a site.  number: f_mat, e0_min, alpha, the
+ * misfit, and the RMSE of the training and of the held-out runs, points. */
 struct answer *part_new_calibrate_answer(void);
 void part_add_site_row(struct answer *answer, const char *site,
     const double number[static 6], const char *remark);
 
-/* Returns in words everything on which the results of a calibration with these
- * options depend; all parts must agree on it.  more: further dependencies.  The
+/* Returns as text all that the results of a calibration with these options
+ * depend on; all parts must agree on it.  more: further dependencies.  The
  * caller frees it. */
 char *part_dependencies_text(const struct session *s,
     const struct calibrate_options *o, const char *more);
 
-/* Puts what `collect` needs to know about a part into its answer.  index [n]:
- * its sites; options: see part_dependencies_text. */
+/* Puts what `collect` needs to know about a part into the part's answer.  index
+ * [n]: the sites of its rows; options: see part_dependencies_text. */
 void part_put_collect_fields(struct answer *answer, const struct session *s,
     const struct part *part, const size_t *index, size_t n,
     const char *options);

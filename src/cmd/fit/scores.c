@@ -1,6 +1,6 @@
-/* The runs of one site, one by one; for many sites together, RMSE, bias and R2
- * of each size (validate_score) and how often each way is best; and the numbers
- * of runs that parts pass on.
+/* Makes the answer on one site, run by run; that on many sites, with bias, RMS
+ * and R2 of each size (validate_score) and how often each way is best; and the
+ * rows that carry runs from parts to collect.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/scores.h"
 
@@ -19,7 +19,7 @@ const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
     [VALIDATE_MODEL] = {"model", N_("model"), N_("the model")},
     [VALIDATE_CORRECTED] = {"corrected", N_("corrected"),
 	N_("the model corrected by the runs")},
-    [VALIDATE_INTERPOLATION] = {"interpolation", N_("interpolated"),
+    [VALIDATE_INTERPOLATION] = {N_("interpolation"), N_("interpolated"),
 	N_("a straight line through the training products")},
     [VALIDATE_NEAREST] = {"nearest", N_("nearest"),
 	N_("the product at the nearest training speed"), 1},
@@ -48,7 +48,6 @@ rmse_over_runs(const struct trials *c, double rmse[static VALIDATE_WAYS])
 	}
 }
 
-/* Puts the RMSE of the null models and the way that predicts best. */
 static void
 put_null_rmse_and_winner(
     struct fields *o, const double rmse[static VALIDATE_WAYS])
@@ -129,8 +128,9 @@ put_validation_fields(struct fields *o, const struct trials *c)
 	put_null_rmse_and_winner(o, rmse);
 }
 
-/* Begins a row with the run; exact: with its speed before it; otherwise in rpm
- * if its sheet is, and with the rpm after it if only the rotor is known. */
+/* Begins a row with the name of the run.  exact: with its speed before it.
+ * Otherwise in rpm if its sheet is in rpm, or with the rpm after it if the
+ * rotor is known. */
 static void
 begin_row_of_run(struct answer *r, const struct trial *item, bool exact)
 {
@@ -189,8 +189,8 @@ add_size_rows_of_run(struct answer *r, const struct trial *item, bool exact)
 	}
 }
 
-/* Adds a table of sieves or sizes for programs (exact); for people, one with
- * both and the RMSE. */
+/* exact: adds a table for programs, of sieves or of sizes.  Otherwise adds one
+ * for people, of sizes and RMSE and, if `sieves`, of sieves. */
 static void
 add_validation_table(
     struct answer *r, const struct trials *c, bool sieves, bool exact)
@@ -222,7 +222,7 @@ add_validation_table(
 	}
 }
 
-/* A difference in RMSE, passing 0..1, that exceeds sampling errors. */
+/* Differences in RMSE, passing 0..1, beyond this exceed sampling errors. */
 static const double CLEARLY = 0.001;
 
 /* Returns the RMSE of all sieves but the worst, passing 0..1. */
@@ -234,8 +234,9 @@ rmse_without_worst_sieve(const struct validation *v)
 	return sqrt(fmax(square, 0) / (n - 1));
 }
 
-/* True if the worst sieve is far beyond the others and beyond sampling errors.
- * That suggests a slip of the pen; the model errs on several sieves. */
+/* True if the error at the worst sieve far exceeds that of the others and
+ * sampling errors.  That suggests a typing error: an error of the model shows
+ * on several sieves. */
 static bool
 is_worst_sieve_outlier(const struct validation *v)
 {
@@ -267,8 +268,8 @@ way_with_least_rmse(const double rmse[static VALIDATE_WAYS])
 }
 
 /* Returns a speed to type, between the run and the slower training speed, where
- * nothing was measured: in whole m/s if there are such, or whole rpm of a sheet
- * in rpm. */
+ * nothing was measured: in whole m/s if possible or, for a sheet in rpm, in
+ * whole rpm. */
 static char *
 speed_between_runs(const struct trial *item)
 {
@@ -337,7 +338,7 @@ note_best_way_to_predict(struct answer *r, const struct trials *c)
 		    "in all: the model errs more than %s", who);
 }
 
-/* Notes why nothing was interpolated, or that it was beyond the runs. */
+/* Notes why there is no interpolation, or that it is an extrapolation. */
 static void
 note_why_not_interpolated(struct answer *r, const struct trial *item)
 {
@@ -357,8 +358,9 @@ note_why_not_interpolated(struct answer *r, const struct trial *item)
 		    v->line[0], v->line[1], line);
 }
 
-/* Returns at which sieve the corrected answer, or without one the model, errs
- * most. */
+/* Returns a sentence on the sieve at which the corrected answer or, without
+ * draws, the model errs most.  sampled: the prediction is from the run's own
+ * feed. */
 static char *
 worst_sieve_words(const struct trial *item, const char *run, bool sampled)
 {
@@ -496,7 +498,6 @@ add_rows_of_scores(struct answer *r, const struct trials *c)
 	}
 }
 
-/* Notes at how many runs each way is the best. */
 static void
 note_runs_won_by_each_way(struct answer *r, const struct trials *c)
 {
@@ -549,7 +550,8 @@ scores_all_sites_answer(const struct trials *c)
 	return r;
 }
 
-/* Points to the numbers of a run that a score needs, in a fixed order. */
+/* Sets number to the addresses of the members that a score needs, in a fixed
+ * order. */
 static void
 point_to_score_numbers(
     struct validation *v, double *number[static PART_NUMBERS])

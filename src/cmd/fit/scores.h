@@ -1,5 +1,5 @@
-/* The summaries of `validate`: for the runs of one site, and for many sites,
- * from one program or from parts written by several.
+/* The answers of `validate`: on the runs of one site, and on all sites, from
+ * one program or from parts written by several.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_SCORES_H
 #define TIPSPEED_CMD_FIT_SCORES_H
@@ -8,28 +8,31 @@
 #include "io/formats/answer.h"
 #include "io/formats/shards.h"
 
-/* Names of each way to predict, for keys, column headings and sentences, and
- * which of them a narrow table can spare: see answer_column_to_spare. */
+/* The names of a way to predict: its key, its column heading, and a noun for
+ * sentences.  spare: when a narrow table leaves out its column, see
+ * answer_column_to_spare. */
 struct scores_way {
 	const char *key, *head, *noun;
 	int spare;
 };
 extern const struct scores_way SCORES_WAYS[VALIDATE_WAYS];
 
-/* Puts "null": {"feed_rmse_pct": ..}: the errors of the null models, 0..1. */
+/* Puts "null": {"feed_rmse_pct": ..}. rmse: the errors of all ways, 0..1, of
+ * which those of the null models are used. */
 void put_null_model_rmse(
     struct fields *o, const double rmse[static VALIDATE_WAYS]);
 
-/* Returns the answer on the runs of this site: fields, tables, and which way
- * predicts best.  sieves: csv has a row for each sieve instead of each size. */
+/* Returns the answer on the held-out runs of one site: fields, tables, and
+ * which way predicts best.  sieves: show every sieve; for programs instead of
+ * P20, P50 and P80. */
 struct answer *scores_site_answer(
     const struct trials *c, const struct site *site, bool sieves);
 
 /* Returns the answer of `validate all`. */
 struct answer *scores_all_sites_answer(const struct trials *c);
 
-/* scores_put_part_rows writes the runs as "rows" of a part;
- * scores_add_run_of_part reads one of them. */
+/* scores_put_part_rows puts the runs as "rows" into the answer of a part;
+ * scores_add_run_of_part reads one of these rows. */
 void scores_put_part_rows(struct fields *o, const struct trials *c);
 void scores_add_run_of_part(struct trials *c, const struct part_row *row);
 

@@ -1,5 +1,6 @@
 /* Compares each held-out run with all predictions of it
- * (validate_predict_by_all_ways). SPDX-License-Identifier: GPL-3.0-or-later */
+ * (validate_predict_by_all_ways).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/trials.h"
 
 #include <stdlib.h>
@@ -71,9 +72,9 @@ trials_score_at_size(const struct trials *c, enum validate_way way, size_t i)
 	return validate_score_at_size(v, c->n, way, i);
 }
 
-/* Returns the answer of the draws at the run's covered sieves.  *within: how
- * many of its passings lie in the band for one more sample.  Without draws,
- * NULL and 0.  The caller frees the passings. */
+/* Returns the corrected answer at the run's covered sieves, and sets *within to
+ * the number of its passings in the band for one more sample.  Without draws,
+ * returns NULL and sets 0.  The caller frees the passings. */
 static double *
 corrected_passings_of_run(const struct run *run,
     const struct posterior *posterior, double level, size_t *within)

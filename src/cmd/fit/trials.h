@@ -1,4 +1,4 @@
-/* Runs both measured and predicted, and their differences.
+/* Held-out runs with their predictions and the differences.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_TRIALS_H
 #define TIPSPEED_CMD_FIT_TRIALS_H
@@ -7,12 +7,12 @@
 #include "core/posterior/posterior.h"
 #include "core/check/validate.h"
 
-/* A run both measured and predicted.  entry: index of its site among all loaded
- * sites; key: of the site; source: of its data; name: "74 (2)"; passing: see
- * validate_predict_by_all_ways; rotor: diameter, m; 0: not stated; within:
- * number of its passings in the band for one more sample, used only when one
- * site is validated.  Runs read from a part have no name, run, passing or
- * rotor. */
+/* A held-out run with its predictions.  entry: index of its site among the
+ * loaded ones; key: of the site; source: of its data; name: "74 (2)"; passing:
+ * the predictions, see validate_predict_by_all_ways; within: how many of its
+ * passings lie in the band for one more sample, only if has_band; rotor:
+ * diameter, m, 0 if not stated.  Runs read from a part have no name, run,
+ * passing or rotor. */
 struct trial {
 	size_t entry;
 	char *key, *source, *name;
@@ -21,13 +21,13 @@ struct trial {
 	bool has_band, open; /* open: see trust_is_band_impossible */
 	size_t within;
 	double rotor;
-	bool in_rpm; /* its site's sheet is */
+	bool in_rpm; /* the sheet of its site is in rpm */
 	struct validation v;
 };
 
-/* Such runs, in the order of their sites.  one: they are of one site, so bands
- * are compared, of this level; each: every speed was held out in turn;
- * left_out: number of sites without such a run. */
+/* Such runs, in the order of their sites.  one: they are from one site, so
+ * passings are compared with bands of this level, 0..1; each: every speed was
+ * held out in turn; left_out: number of sites without such a run. */
 struct trials {
 	bool one, each;
 	double level;
@@ -35,8 +35,8 @@ struct trials {
 	struct trial *item;
 };
 
-/* The basis for predicting the runs of a loaded site.  rmse: of the fit,
- * 0..1. */
+/* What the runs of a loaded site are predicted with.  train: the training runs;
+ * rmse: that of the fit, 0..1. */
 struct predicted_by {
 	size_t entry;
 	const bool *train;
@@ -50,12 +50,12 @@ struct predicted_by {
 void trials_add_held_out_runs(
     struct trials *c, const struct session *s, const struct predicted_by *by);
 
-/* As trials_add_held_out_runs, but predicted by the entry's parameters and
- * corrected by the posterior, or NULL. */
+/* As trials_add_held_out_runs, with the entry's own parameters.  posterior:
+ * corrects them, or NULL. */
 void trials_add_held_out_of_entry(struct trials *c, const struct session *s,
     size_t index, const struct posterior *posterior);
 
-/* Adds a run and takes ownership of its members. */
+/* Adds a run and takes ownership of its strings and arrays. */
 void trials_add_trial(struct trials *c, struct trial trial);
 
 /* Moves the runs of `from` to the end of `c`. */

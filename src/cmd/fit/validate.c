@@ -19,12 +19,12 @@
 #include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
-/* The state of one `validate`.  at, end: the present site and the one
- * to stop before; speed: with holdout=each, the one held out last. */
+/* The state of one `validate`. at, end: the present site, and the one to stop
+ * before; speed: with holdout=each, the speed held out last. */
 struct validating {
 	bool all, sieves;
 	struct part part;
-	char *options; /* options that all parts must have */
+	char *options; /* options on which all parts must agree */
 	struct trials runs;
 	size_t at, end;
 	double speed;
@@ -39,7 +39,6 @@ free_validation(void *of)
 	free(c);
 }
 
-/* Notes the result of each run of a site. */
 static void
 note_rmse_of_each_run(const struct session *s, const struct trials *found)
 {
@@ -110,8 +109,8 @@ is_compared(const struct session *s, const struct validating *c, size_t index)
 				  answers_require_params(s, entry, &none);
 }
 
-/* Finds the next site to compare or, with holdout=each, the next speed of a
- * site to hold out. */
+/* Prepares the next site to compare or, with holdout=each, the next speed to
+ * hold out. */
 static bool
 find_next_comparison(struct session *s)
 {
@@ -133,8 +132,8 @@ find_next_comparison(struct session *s)
 	return false;
 }
 
-/* Compares the runs at the speed held out with their predictions by a
- * calibration on the other speeds. */
+/* Compares the runs at the held-out speed with predictions by the task's
+ * calibration, which used the other speeds.  Returns NULL if stopped. */
 static void *
 compare_at_held_out_speed(const struct session *s, const struct job_task *task)
 {
@@ -165,7 +164,8 @@ compare_at_held_out_speed(const struct session *s, const struct job_task *task)
 	return found;
 }
 
-/* Compares the runs held out from a calibrated site. */
+/* Compares the runs that the calibration of a site held out.  Returns NULL if
+ * stopped. */
 static void *
 compare_at_calibrated_site(const struct session *s, const struct job_task *task)
 {
@@ -231,8 +231,8 @@ static const struct job_type CALIBRATED = {.next = find_next_comparison,
     .useless = N_("stopped before all sites were compared"),
     .follow = compare_at_calibrated_site};
 
-/* True if a part may be empty: all of its sites that could be calibrated
- * are, and other parts have sites to compare. */
+/* True if a part may be empty: those of its sites that can be calibrated have
+ * been, and other parts have sites to compare. */
 static bool
 may_part_be_empty(const struct session *s, const struct validating *c)
 {
@@ -247,8 +247,8 @@ may_part_be_empty(const struct session *s, const struct validating *c)
 	return c->part.of > 0 && others && !forgotten;
 }
 
-/* Adds the seed and the options of a fit, which other parts must have, unless
- * they are in the list already. */
+/* Adds the seed and the options of a fit, on which all parts must agree, unless
+ * the list has them already. */
 static void
 append_options_of_fit(char **list, const struct entry *entry)
 {
@@ -259,8 +259,8 @@ append_options_of_fit(char **list, const struct entry *entry)
 		xappend(list, "%s", own);
 }
 
-/* Answers for a part that may be empty, or fails.  refused: the error about the
- * first calibrated site that cannot be compared, if there is one. */
+/* Shows the answer of a part that may be empty; otherwise fails.  refused: the
+ * error about the first calibrated site that cannot be compared, if any. */
 static bool
 show_empty_part(struct session *s, struct validating *c,
     const struct error *refused, struct error *error)
@@ -290,9 +290,9 @@ show_empty_part(struct session *s, struct validating *c,
 	return error->kind == ERROR_NONE;
 }
 
-/* Compares site after site.  The job owns c.  Calibrated sites whose parameters
- * the settings do not allow are an error after the answer, which is about the
- * others. */
+/* Starts to compare site after site.  The job owns c.  If the settings do not
+ * allow the parameters of some calibrated sites, the answer is about the
+ * others, and an error about those follows it. */
 static bool
 begin_comparisons(struct session *s, struct validating *c, struct error *error)
 {

@@ -13,7 +13,7 @@
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
 
-/* In the order of help and the manual. */
+/* In the order of help and manual. */
 static const struct {
 	const char *name;
 	const struct command *command;
@@ -65,8 +65,8 @@ command_other_name(const struct command *command)
 	return has_two_word_alias(command) ? command->name : command->alias;
 }
 
-/* True if a word is one of the command's options, or a range for its bare
- * option. */
+/* True if the word is "NAME=.." for an option of the command, or a range for
+ * the option that a bare word sets. */
 static bool
 is_option_or_bare_range(const struct command *command, const char *word)
 {
@@ -127,7 +127,7 @@ command_find_abbreviated(const char *name, bool prompt)
 	const struct command *found = command_find(name);
 	if (found != NULL || !prompt)
 		return found;
-	/* As in full-screen mode and pagers, q quits. */
+	/* q quits, as in full-screen mode and in pagers. */
 	enum { LEAST = 2 };
 	FREED char *start = text_fold_case_and_accents(name);
 	bool leaves = strcmp(start, "q") == 0;
@@ -156,7 +156,7 @@ command_names_beginning_with(const char *name)
 const char *
 command_nearest_name(const char *name)
 {
-	/* Names in other programs. */
+	/* Names from other programs. */
 	static const char *const OTHERS[][2] = {{"close", "drop"},
 	    {"delete", "drop"}, {"full", "tui"}, {"full screen", "tui"},
 	    {"fullscreen", "tui"}, {"goal", "set goal"}, {"open", "load"},
@@ -181,7 +181,7 @@ command_nearest_name(const char *name)
 	return nearest;
 }
 
-/* Appends a model's parameters, without those of the models before it. */
+/* Appends the parameters of a model that no model before it has. */
 static void
 add_parameter_options(const struct breakage *model, struct command_option *row)
 {
@@ -201,13 +201,14 @@ add_parameter_options(const struct breakage *model, struct command_option *row)
 		    .least = p->least,
 		    .most = p->most,
 		    .fallback = "",
-		    .brief = own ? xasprintf(tr("%s, model %s"), p->meaning,
+		    .brief = own ? xasprintf(tr("%s, model %s"), tr(p->meaning),
 				       model->name)
 				 : xstrdup(p->meaning)};
 	}
 }
 
-/* Returns the parameters of all models as options, made on first use. */
+/* Returns option i of `params`, which takes the parameters of all models; makes
+ * the rows of these on first use. */
 static const struct command_option *
 command_parameter_option_at(size_t i)
 {
@@ -228,7 +229,7 @@ command_own_option(const struct command *command, size_t i)
 	return o != NULL && o->name != NULL ? o : NULL;
 }
 
-/* Returns option i of lists that end with NULL. */
+/* Returns option i of several lists, counted through; NULL after the last. */
 static const struct command_option *
 option_at_index(const struct command_option *const *list, size_t i)
 {
@@ -321,7 +322,7 @@ command_usage_text(const struct command *command)
 	return usage;
 }
 
-/* Returns a limit, whole numbers in full; "" if it is too large to matter. */
+/* Returns a limit as text; "" if it is so large that there is none. */
 static char *
 option_limit_text(double limit)
 {
@@ -373,7 +374,7 @@ command_option_text(const struct command_option *o)
 	    tr(o->brief), limits, o->fallback);
 }
 
-/* A feed given as a number cannot be 0, see SHARED_FEED. */
+/* As a feed, a number is never 0, see SHARED_FEED. */
 bool
 value_is_file(const struct command_option *option, const struct value *value)
 {
@@ -383,7 +384,7 @@ value_is_file(const struct command_option *option, const struct value *value)
 				   (feed && strcmp(value->text, "mean") != 0));
 }
 
-/* Returns the index of the option with that member, or OPTIONS. */
+/* Returns the index of the option whose value is this member, or OPTIONS. */
 static size_t
 option_index_of_member(const struct args *args, const void *member)
 {

@@ -27,21 +27,23 @@ enum value_kind {
 	VALUE_TEXT
 };
 
-/* One key=value of a command, or a setting.  offset: of the member of struct
- * args that gets the value.  For a setting, fallback is the initial value, or
- * "" if the session determines it, and offset is that of a member of struct
- * choices: a double for a number, a char array for a text, else an unsigned or
- * an enum.  looks: a setting that concerns the appearance of the full screen,
- * which saves it; undo ignores it. */
+/* A key=value option of a command, or a setting. */
 struct command_option {
 	const char *name;
 	enum value_kind kind;
-	const char *unit;     /* "m/s"; "" if none */
-	double least, most;   /* of numbers */
-	const char *choices;  /* see option_choices */
-	const char *fallback; /* default, as typed; "" if none */
+	const char *unit;    /* "m/s"; "" if none */
+	double least, most;  /* of numbers */
+	const char *choices; /* see option_choices */
+	/* The default, as typed; "" if there is none or, for a setting, if the
+	 * session determines it. */
+	const char *fallback;
 	const char *brief;
+	/* The offset of the member that gets the value, in struct args.  For a
+	 * setting, in struct settings: a double for a number, a char array for
+	 * a text, else an unsigned or an enum. */
 	size_t offset;
+	/* A setting about the look of the full screen, which saves it; undo
+	 * ignores it. */
 	bool looks;
 };
 
@@ -62,16 +64,17 @@ struct number_list {
 
 enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 
-/* A parsed call.  column[i]: where operand i begins in the line.  value[i]: of
- * the command's option i, as it was read.  The other members are the values of
- * all options, by name: the one given, else the fallback, else 0, NULL or
- * false, also if the command has no such option; args_is_given tells these
- * apart. A choice is an index into the option's choices.  See rows.h. */
+/* A parsed call.  The members after `value` are the values of all options, by
+ * name: the one given, else the fallback, else 0, NULL or false, even if the
+ * command has no such option; args_is_given tells whether it was given.  A
+ * choice is an index into the option's choices.  See rows.h. */
 struct args {
 	const struct command *command;
 	size_t n_operand;
 	const char *operand[OPERANDS];
+	/* Where each operand begins in the line. */
 	int column[OPERANDS];
+	/* What was parsed for each of the command's options. */
 	struct value value[OPTIONS];
 
 	/* Of questions. */
@@ -131,70 +134,74 @@ enum command_flag {
 	COMMAND_FILES = 2,        /* operands are files: refused by --safe */
 	COMMAND_VERBATIM = 4,     /* > and | are ordinary words */
 	COMMAND_UNSAVED = 8,      /* save omits it, or it adds its own line */
-	COMMAND_KEEPS_LAST = 16,  /* save keeps the last of several in a row */
+	COMMAND_KEEPS_LAST = 16,  /* save keeps only the last of a series */
 	COMMAND_DRAWS = 32,       /* may write to an image file */
 	COMMAND_NEEDS_SITE = 64,  /* needs a site to work on */
-	COMMAND_APPEARANCE = 128, /* its changes alone are not worth keeping */
+	COMMAND_APPEARANCE = 128, /* its changes alone need no saving */
 	COMMAND_PARAMS = 256,     /* its options are the models' parameters */
 	COMMAND_SPEC = 512,       /* operands are like VALUE_SPEC */
 	COMMAND_DURING_SEARCH =
-	    1024, /* full screen: a search continues meanwhile */
+	    1024, /* full screen: a search goes on meanwhile */
 	COMMAND_NEEDS_PARAMS =
 	    2048,                   /* its answer needs the site's parameters */
 	COMMAND_DAILY = 4096,       /* in daily use: shown by plain `help` */
-	COMMAND_CONDITIONS = 8192,  /* a condition needs no quotes */
-	COMMAND_QUANTITIES = 16384, /* words that name figures form its of= */
+	COMMAND_CONDITIONS = 8192,  /* conditions need no quotes */
+	COMMAND_QUANTITIES = 16384, /* words that name quantities become of= */
 	COMMAND_SETTINGS = 32768 /* settings, which may be typed as two words */
 };
 
-/* Operands of a command.  usage: as shown in help, or NULL; at least `least`
- * and at most `most`.  expect: what completion offers for the first, second and
- * further operands; the last entry applies to all that follow.  Words are
- * separated by spaces: words in capitals stand for what exists (see KINDS in
- * complete.c), others for themselves. */
 struct command_operands {
+	/* usage: as help shows it, or NULL.  expect: what completion offers for
+	 * the first, the second and further operands; the last entry applies to
+	 * all that follow.  Of the words in it, separated by spaces, those in
+	 * capitals stand for what exists (see KINDS in complete.c), others for
+	 * themselves. */
 	const char *usage, *expect[EXPECTS];
 	size_t least, most;
 };
 
-/* name: one word, under which answers are kept.  alias: a second name, or NULL;
- * a two-word alias ("store list") is the name shown to people.  others:
- * commands that are meant instead if a line has an option that only they have,
- * or a range of speeds ("predict 65..85"), see command_meant_by_words.  bare:
- * the option that a bare word sets ("predict 74"), or NULL.  text: sentences
- * for help and manual.  more: further sentences for the manual, or NULL.
- * example: lines of a script that runs in a folder with the project's data/. */
+/* A command: a row of the table. */
 struct command {
+	/* name: one word, under which answers are kept.  alias: a second name,
+	 * or NULL; if it has two words ("store list"), people are shown this
+	 * one. */
 	const char *name, *alias, *brief;
+	/* Commands that are meant instead if the line has an option that only
+	 * they have, or a range of speeds ("predict 65..85"); see
+	 * command_meant_by_words. */
 	const char *others[3];
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
+	/* The option that a word without = sets ("predict 74"), or NULL. */
 	const char *bare;
 	/* NULL, or ends with a NULL name. */
 	const struct command_option *option;
 	/* Options shared with other commands, from SHARED_..; ends with
 	 * NULL. */
 	const struct command_option *shared[SHARES + 1];
+	/* text: sentences for help and manual.  more: further ones for the
+	 * manual, or NULL.  example: lines of a script that runs in a folder
+	 * with the project's data/. */
 	const char *text, *more, *example;
 	/* Exactly one of these. */
 	command_run *run;
 	command_answer *answer;
 };
 
-/* The parts of the table, one file for each group; each ends with a NULL
+/* The parts of the table, one for each group of commands; each ends with a NULL
  * name. */
 extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
     TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
 
-/* Options common to several commands; each ends with a NULL name. */
+/* Options that several commands share; each list ends with a NULL name. */
 extern const struct command_option SHARED_TURNS[], SHARED_FEED[],
     SHARED_MACHINE[], SHARED_SIEVES[], SHARED_CUT[], SHARED_SCREENS[];
 
 /* The settings, ending with a NULL name. */
 extern const struct command_option SETTINGS[];
 
-/* Iterates over the table by group: returns the command after the given one,
- * the first for NULL, and NULL at the end. */
+/* Goes through the table by group: returns the command after this one, the
+ * first if `after` is NULL, and NULL after the last. */
 const struct command *command_next(const struct command *after);
 
 /* Returns the group of a command, such as "answers". */
@@ -204,54 +211,57 @@ const char *command_group_name(const struct command *command);
 const char *command_shown_name(const struct command *command);
 const char *command_other_name(const struct command *command);
 
-/* Returns the command, or one of its `others` if the words call for that. */
+/* Returns the command that the words after its name call for: one of its
+ * `others`, or the command itself. */
 const struct command *command_meant_by_words(
     const struct command *command, char *const *word, size_t n);
 
-/* Returns the command with that full name or alias, or NULL. */
+/* Returns the command with exactly this name or alias, or NULL. */
 const struct command *command_find(const char *name);
 
-/* As command_find, but at a prompt also ignores case and accepts a unique
- * prefix of at least two letters, and q for quit. */
+/* As command_find; at a prompt it also ignores case, and accepts a unique
+ * beginning of at least two letters, and q for quit. */
 const struct command *command_find_abbreviated(const char *name, bool prompt);
 
-/* Returns the names that begin with `name`, ignoring case: "calibrate, check".
- * The caller frees it. */
+/* Returns the names of the commands that begin with `name`, ignoring case:
+ * "calibrate, check".  The caller frees it. */
 char *command_names_beginning_with(const char *name);
 
-/* Returns the name closest to a mistyped one, or NULL if none is close. */
+/* Returns the name of the command that a mistyped name or one from another
+ * program may mean, or NULL. */
 const char *command_nearest_name(const char *name);
 
-/* Return option i, from 0, or NULL past the last.  command_option_at counts the
- * command's own options, then its shared ones; command_own_option only its own;
- * command_shared_option those shared by any commands. */
+/* Return option i, from 0, or NULL after the last.  command_option_at counts
+ * the command's own options, then those that it shares with others;
+ * command_own_option only its own; command_shared_option those that any
+ * commands share. */
 const struct command_option *command_option_at(
     const struct command *command, size_t i);
 const struct command_option *command_own_option(
     const struct command *command, size_t i);
 const struct command_option *command_shared_option(size_t i);
 
-/* Returns the options that the command shares with others, "feed, cascade", or
- * "".  The caller frees it. */
+/* Returns the names of the options that the command shares with others, "feed,
+ * cascade", or "".  The caller frees it. */
 char *command_shared_option_names(const struct command *command);
 
 /* Returns the index of the option with that name, or OPTIONS. */
 size_t command_option_index(const struct command *command, const char *name);
 
-/* Returns the call as shown in help, with the command's own options: "predict
+/* Returns the call with the command's own options as help shows it: "predict
  * [speed=V]".  The caller frees it. */
 char *command_usage_text(const struct command *command);
 
-/* Returns an option in words: "brief (limits), default D".  The caller frees
- * it. */
+/* Returns the help about an option: "brief (limits), default D".  The caller
+ * frees it. */
 char *command_option_text(const struct command_option *option);
 
-/* Returns the words of an option, "on off"; for a text, as in `expect` of
- * operands; for numbers, the words allowed instead; or NULL.  A choice without
- * words is a breakage model. */
+/* Returns the words of a choice, "on off", which are the breakage models if it
+ * has none; for a text, what completion offers, as `expect` of operands; for
+ * numbers, words allowed instead; or NULL. */
 const char *option_choices(const struct command_option *option);
 
-/* Returns the allowed values of an option: "1 to 200 m/s", "on, off".  The
+/* Returns the values that an option may have: "1 to 200 m/s" or "on, off".  The
  * caller frees it. */
 char *command_option_limits_text(const struct command_option *option);
 
@@ -259,9 +269,9 @@ char *command_option_limits_text(const struct command_option *option);
 bool value_is_file(
     const struct command_option *option, const struct value *value);
 
-/* For the option whose value is the given member of args: whether it was given,
- * its value as typed, and its name.  The last two require that the command has
- * the option. */
+/* About the option whose value is this member of args: args_is_given is true if
+ * it was given, args_value_text returns its value as typed, args_option_name
+ * its name.  For the latter two, the command must have the option. */
 bool args_is_given(const struct args *args, const void *member);
 const char *args_value_text(const struct args *args, const void *member);
 const char *args_option_name(const struct args *args, const void *member);

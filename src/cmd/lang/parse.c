@@ -1,7 +1,6 @@
-/* Parses a line of text into calls: splits it into commands, words and the
- * target of results, parses the values of options, and matches words with the
- * options and operands of a command.  The grammar is that of tipspeed(1),
- * COMMAND LANGUAGE.
+/* Parses a line into calls: splits it into commands, words and redirections,
+ * parses values, and matches the words with the options and operands of a
+ * command.  tipspeed(1), COMMAND LANGUAGE, has the grammar.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/parse.h"
 
@@ -14,8 +13,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-/* Returns the column of an offset.  Counts from the last offset, so that the
- * time is linear in the length of a line. */
+/* Returns the column of an offset.  Counts on from the offset asked about last,
+ * so that the time is linear in the length of the line. */
 static int
 column_of_offset(const char *line, struct words *words, size_t offset)
 {
@@ -33,9 +32,9 @@ is_end_of_word(char c, bool verbatim)
 	       (!verbatim && (c == '>' || c == '|'));
 }
 
-/* Returns the offset of the closing quote of '...' or name='...'; 0 if the word
- * is neither, because a ' within a word is a letter.  open: out, the opening
- * quote. */
+/* Returns the offset of the closing quote of '...' or name='...', and that of
+ * the opening quote in *open; 0 if the word is neither: within a word, ' is a
+ * letter. */
 static size_t
 find_closing_single_quote(
     const char *line, size_t at, bool verbatim, size_t *open)
@@ -52,7 +51,7 @@ find_closing_single_quote(
 }
 
 /* Copies the word at *at and moves *at past it.  Returns false if a quote is
- * open.  The caller frees the word in any case. */
+ * not closed.  The caller frees the word in either case. */
 static bool
 copy_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
 {
@@ -90,7 +89,7 @@ skip_blanks(const char *line, size_t i)
 	return i;
 }
 
-/* Takes the rest of the line as the shell command. */
+/* Takes the rest of the line as a shell command. */
 static bool
 parse_pipe(const char *line, size_t i, struct words *words)
 {
@@ -101,7 +100,7 @@ parse_pipe(const char *line, size_t i, struct words *words)
 	return words->target[0] != '\0' && words->target[0] != '|';
 }
 
-/* Reads "> FILE" or ">> FILE" at *at and moves *at past it. */
+/* Parses "> FILE" or ">> FILE" at *at and moves *at past it. */
 static bool
 parse_redirection_file(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
@@ -150,7 +149,7 @@ parse_redirection(const char *line, size_t *at, struct place place,
 	    "write: sweep | less");
 }
 
-/* True if the command takes > and | as words. */
+/* True if > and | are ordinary words of the command. */
 static bool
 are_redirections_words(const struct words *words)
 {
@@ -174,7 +173,8 @@ words_replace_by_one(
 	words->n = first + 1 + rest;
 }
 
-/* Joins the two words of a command's name: "store list". */
+/* If the first two words are the name of a command, "store list",
+ * joins them. */
 static void
 join_command_name(struct words *words)
 {
@@ -186,7 +186,7 @@ join_command_name(struct words *words)
 	words->command = command;
 }
 
-/* Joins a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
+/* Joins a unit to the number before it: "72 m/s", or "1640 rpm" where m/s are
  * expected. */
 static void
 join_unit_to_number(struct words *words)
@@ -236,9 +236,9 @@ copy_and_add_word(const char *line, size_t *at, struct place place,
 	return true;
 }
 
-/* True if the > is a limit's, as after the quantity in "P80 > 5", and not a
- * redirection.  After a condition that has its limit, > writes a file of any
- * name.  After an unknown command >= is a limit, so that the error is about the
+/* True if the > at `at` belongs to a limit, as in "P80 > 5", rather than to a
+ * redirection: not after a condition that has its limit already.  If the
+ * command is unknown, >= counts as a limit, so that the error is about the
  * command. */
 static bool
 is_limit_sign(const char *line, size_t at, const struct words *words)
@@ -262,7 +262,7 @@ is_limit_sign(const char *line, size_t at, const struct words *words)
 	return text_parse_typed_number(number, &limit);
 }
 
-/* Takes the > or >= of a limit as a word. */
+/* Adds the > or >= of a limit as a word. */
 static void
 add_limit_sign_as_word(const char *line, size_t *at, struct words *words)
 {
@@ -318,7 +318,7 @@ words_free(struct words *words)
 	words->n = 0;
 }
 
-/* Removes a unit from the end of a number: "74m/s", "11.2 mm". */
+/* Removes the unit at the end of a number: "74m/s", "11.2 mm". */
 static void
 strip_unit(char *text, const char *unit)
 {
@@ -356,12 +356,13 @@ value_parse_blend_feed(const char *text, size_t *length, double *share)
 	return NULL;
 }
 
-/* Control rooms show revolutions per minute. */
+/* Control rooms show rpm. */
 static const char TURNS[] =
     N_("is this rpm? '%.*s rpm' works if the rotor is known: m/s = 3.1416 x "
        "rotor diameter (m) x rpm / 60");
 
-/* Adds a hint if a number is written as in another language. */
+/* Adds a hint if a number is written in a way that is usual elsewhere.  Returns
+ * false. */
 static bool
 hint_decimal_format(
     const struct command_option *option, const char *word, struct error *error)
@@ -397,7 +398,7 @@ parse_number_in_limits(const struct command_option *option, const char *word,
 	/* In a list, commas separate numbers. */
 	bool list = option->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	bool ok = !list && value_parse_number(word, option->unit, value);
-	const char *in = option->unit[0] != '\0' ? " in " : "";
+	const char *in = option->unit[0] != '\0' ? tr(" in ") : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
 	bool comma = option->kind == VALUE_NUMBER && strchr(word, ',') != NULL;
 	if (!ok) {
@@ -430,10 +431,11 @@ parse_and_append_number(const struct command_option *option, const char *word,
 	return true;
 }
 
-/* The most numbers in a value: each may be a prediction, which takes memory. */
+/* The most numbers in a value: each may become a prediction, which takes
+ * memory. */
 enum { NUMBERS_MOST = 2000 };
 
-/* Reads a..b or a..b:step; the default step is 1. */
+/* Parses a..b or a..b:step; the step is 1 by default. */
 static bool
 parse_range_of_speeds(const struct command_option *option, char *word,
     char *dots, struct value *value, struct error *error)
@@ -511,7 +513,7 @@ error_expected_whole_number(
 	return false;
 }
 
-/* Sets the error that no value was given. */
+/* Sets the error for an option without a value.  Returns false. */
 static bool
 error_missing_value(const struct command_option *option, struct error *error)
 {
@@ -591,8 +593,8 @@ error_unknown_option(
 	error_hint(error, "usage: %s", usage);
 }
 
-/* Returns the index of an option; OPTIONS, with an error, if there is none of
- * that name or it was already given. */
+/* Returns the index of an option; OPTIONS, with an error, if there is no such
+ * option or it was given before. */
 static size_t
 find_option_not_given(
     const struct args *args, const char *name, struct error *error)
@@ -619,8 +621,8 @@ parse_option_value(
 	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
-/* Reads one word after the command's name: key=value, the bare option or an
- * operand. */
+/* Parses one word after the command's name: key=value, the value of the bare
+ * option, or an operand. */
 static bool
 parse_argument(
     const char *word, int column, struct args *args, struct error *error)
@@ -649,7 +651,8 @@ parse_argument(
 	return true;
 }
 
-/* The last word must not be a setting's name: "set method". */
+/* Returns false with an error if the last word is a setting without its value:
+ * "set method". */
 static bool
 check_is_no_setting(
     const struct command *command, const char *word, struct error *error)
@@ -659,7 +662,7 @@ check_is_no_setting(
 	       error_missing_value(command_option_at(command, i), error);
 }
 
-/* Reads "method classes", which means "method=classes". */
+/* Parses "method classes", which means "method=classes". */
 static bool
 parse_option_as_two_words(
     const char *name, const char *word, struct args *args, struct error *error)
@@ -668,7 +671,7 @@ parse_option_as_two_words(
 	return i < OPTIONS && parse_option_value(i, word, args, error);
 }
 
-/* Stores a value in the member of its option, see rows.h. */
+/* Stores a value in the member of args for its option, see rows.h. */
 static void
 store_value_in_member(const struct command_option *o, const struct value *value,
     struct args *args)
@@ -692,8 +695,9 @@ store_value_in_member(const struct command_option *o, const struct value *value,
 		*(const char **)member = value->text;
 }
 
-/* Reads the fallbacks of options not given, and stores all values in their
- * members.  Settings and parameters are stored by cmd_set and cmd_params. */
+/* Takes the fallbacks of options that were not given, and stores all values in
+ * their members.  Those of settings and of parameters are stored by cmd_set and
+ * cmd_params. */
 static bool
 store_values_in_members(struct args *args, struct error *error)
 {
@@ -712,7 +716,8 @@ store_values_in_members(struct args *args, struct error *error)
 	return ok;
 }
 
-/* An operand must be neither "p80" nor "P80=5.5" as in a table's heading. */
+/* Returns false with an error for an operand such as "p80", or "P80=5.5" as in
+ * a table's heading. */
 static bool
 check_is_no_option(
     const struct command *command, const char *word, struct error *error)
@@ -755,7 +760,8 @@ check_number_of_operands(const struct args *args, struct error *error)
 	return false;
 }
 
-/* Replaces the hint for "speed = 74", "speed =74" and "speed= 74". */
+/* If there are spaces around =, as in "speed = 74", "speed =74" and "speed=
+ * 74", replaces the hint. */
 static void
 hint_spaces_around_equals(const struct command *command,
     const struct words *words, struct error *error)
@@ -795,8 +801,8 @@ error_command_not_found(const char *name, bool prompt, struct error *error)
 		error_hint(error, "run 'help' for the commands");
 }
 
-/* Reads the words after the command's name.  On failure, *column is that of the
- * faulty word. */
+/* Parses the words after the command's name.  On failure, sets *column to that
+ * of the faulty word. */
 static bool
 parse_arguments(const struct words *words, struct args *args, int *column,
     struct error *error)

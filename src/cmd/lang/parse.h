@@ -9,69 +9,74 @@
 #include "base/error.h"
 #include "cmd/lang/command.h"
 
-/* The origin of a line, for messages.  prompt: it was typed at a prompt, where
- * names of commands may be abbreviated.  column: that of the command's first
- * character; 0 if not known. */
+/* Where a line comes from, for messages. */
 struct place {
 	const char *file;
 	int line;
+	/* The line was typed at a prompt, where names of commands may be
+	 * abbreviated. */
 	bool prompt;
+	/* The column of the command's first character; 0 if not known. */
 	int column;
 };
 
-/* Target of a command's results. */
+/* Where the results of a command go. */
 enum target { TO_SCREEN, TO_FILE, TO_APPEND, TO_PIPE };
 
-/* The words of one command and the columns where they start (from 1).  command:
- * the one that the first word names, or NULL.  typed: the words as typed in the
- * line; NULL after an error.  next: the offset in the
- * line at which the next command may begin.  target: the file for TO_FILE (">")
- * and TO_APPEND (">>"), or the shell command for TO_PIPE; to_column: the column
- * of > or |. */
+/* The words of one command. */
 struct words {
 	size_t n;
 	char *text[OPERANDS];
+	/* The column at which each word starts, from 1. */
 	int column[OPERANDS];
+	/* The command that the first word names, or NULL. */
 	const struct command *command;
+	/* The words as typed in the line; NULL after an error. */
 	char *typed;
+	/* The offset in the line at which the next command may begin. */
 	size_t next;
 	enum target to;
+	/* The file for TO_FILE (">") and TO_APPEND (">>"), or the shell command
+	 * for TO_PIPE; and the column of > or |. */
 	char *target;
 	int to_column;
 	size_t reached; /* an offset in the line, and its column */
 	int reached_column;
 };
 
-/* Splits the command that begins at line + from into words at spaces; "quoted"
- * words stay whole ("" within quotes is one quote).  The command ends at ; or #
- * or the end of the line.  Returns false on an open quote, too many words or a
- * faulty redirection.  Always free with words_free. */
+/* Splits the command that begins at line + from into words, at spaces.  Words
+ * in double quotes stay whole, and "" within quotes is one quote.  The command
+ * ends at ; or # or at the end of the line.  Returns false if a quote is open,
+ * there are too many words, or a redirection is faulty.  Always free with
+ * words_free. */
 bool words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
 
-/* Replaces the n words from `first` on with a copy of one text. */
+/* Replaces n words, from `first` on, by one word. */
 void words_replace_by_one(
     struct words *words, size_t first, size_t n, const char *text);
 
-/* Checks every value against the table of the command that is meant.  args
- * borrows from words; always free with args_free. */
+/* Parses the words into a call and checks each value against the table.
+ * Returns the command that is meant, or NULL with an error.  args borrows from
+ * words; always free with args_free. */
 const struct command *parse_call(const struct words *words, struct place place,
     struct args *args, struct error *error);
 void args_free(struct args *args);
 
-/* Parses word as the option's value, which borrows it; the caller frees
- * value->list.  On failure, returns false with an error that states what was
- * expected and suggests what may have been meant. */
+/* Parses a word as a value of the option.  The value borrows the word; the
+ * caller frees value->list.  Returns false with an error that says what was
+ * expected and, if possible, what may have been meant. */
 bool value_parse(const struct command_option *option, const char *word,
     struct value *value, struct error *error);
 
-/* Parses a number, with or without its unit: 69, 69m/s. */
+/* Parses a number with or without its unit: 69, 69m/s. */
 bool value_parse_number(const char *word, const char *unit, double *value);
 
-/* Parses the first feed of a blend "a.csv*0.6+b.csv*40%": length of its name,
- * and share; without a share, the length of the whole text and NAN.  Returns
- * the next feed, or NULL after the last. */
+/* Parses the first feed of a blend "a.csv*0.6+b.csv*40%": the length of its
+ * name, and its share.  Without a share, sets the length of the whole text and
+ * NAN.  Returns the rest, which begins with the next feed, or NULL after the
+ * last. */
 const char *value_parse_blend_feed(
     const char *text, size_t *length, double *share);
 

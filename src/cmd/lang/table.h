@@ -1,4 +1,4 @@
-/* The functions of the rows in the command table.
+/* The functions in the rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_LANG_TABLE_H
 #define TIPSPEED_CMD_LANG_TABLE_H
@@ -22,7 +22,7 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
     cmd_echo, cmd_timing, cmd_assert, cmd_help, cmd_apropos, cmd_man,
     cmd_version, cmd_tui, cmd_quit;
 
-/* Functions that `show` also runs. */
+/* Functions that other commands share with `show`. */
 command_run show_params, show_bounds, show_fit, show_store_summary, show_log,
     show_equations, show_claims;
 

@@ -1,4 +1,4 @@
-/* The texts of the command line, and the command table printed for people.
+/* The texts of the command line, and the command table as printed for people.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/usage.h"
 
@@ -112,7 +112,8 @@ usage_print_command_list(const char *group, FILE *out)
 		const char *its = command_group_name(c);
 		if (group != NULL && strcmp(group, its) != 0)
 			continue;
-		/* The English name can be typed: help store. */
+		/* Shown beside the translation, because only the English name
+		 * can be typed: help store. */
 		if (strcmp(last, its) != 0)
 			fprintf(out,
 			    strcmp(tr(its), its) != 0 ? "%s (%s)\n" : "%s\n",
@@ -147,7 +148,8 @@ usage_print_example(const struct command *c, const char *margin, FILE *out)
 	free(copy);
 }
 
-/* Prints the names of the options that `help options` explains. */
+/* Prints the names of the command's shared options, which `help options`
+ * explains. */
 static void
 print_shared_option_names(const struct command *c, FILE *out)
 {

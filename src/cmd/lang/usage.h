@@ -1,5 +1,5 @@
-/* The command line, the environment and the exit statuses of the program, as
- * data for getopt, --help, the manual and shell completion.
+/* The options, environment variables and exit statuses of the program, as data
+ * for getopt, --help, the manual and shell completion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_LANG_USAGE_H
 #define TIPSPEED_CMD_LANG_USAGE_H
@@ -8,11 +8,12 @@
 
 #include "cmd/lang/command.h"
 
-/* A command-line option.  code: the value that getopt_long returns, which is
- * its letter if it has one.  argument: name of the argument in the usage text,
- * or NULL.  choices: values of the argument, separated by spaces, or NULL. */
 struct usage_option {
+	/* What getopt_long returns: the option's letter, if it has one. */
 	int code;
+	/* name: NULL if the option has only a letter.  argument: its name in
+	 * the usage text, or NULL.  choices: the values that it may have,
+	 * separated by spaces, or NULL. */
 	const char *name, *argument, *choices, *brief;
 };
 
@@ -27,11 +28,11 @@ enum {
 	USAGE_RESET_TTY
 };
 
-/* Ends with a code of 0.  An option without a name has only its letter. */
+/* The last has a code of 0. */
 extern const struct usage_option USAGE_OPTIONS[];
 
-/* A variable, an exit status or a light with its meaning; lists end with a NULL
- * name. */
+/* A variable, an exit status or a light, and what it means.  The last in a list
+ * has a NULL name. */
 struct usage_word {
 	const char *name, *meaning;
 };
@@ -39,7 +40,8 @@ struct usage_word {
 extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[],
     USAGE_TRUST[];
 
-/* Prints the list of commands of one group, or of all groups for NULL. */
+/* Prints the list of the commands in a group, or in all groups if group is
+ * NULL. */
 void usage_print_command_list(const char *group, FILE *out);
 
 /* Prints the options that many commands share. */
@@ -48,8 +50,9 @@ void usage_print_shared_options(FILE *out);
 /* Explains the light at the end of answers. */
 void usage_print_trust_lights(FILE *out);
 
-/* Print a command on one line; everything in the table about it; the lines of
- * its example, each after the margin. */
+/* usage_print_brief prints a command on one line; usage_print_command_help all
+ * that the table has about it; usage_print_example the lines of its example,
+ * each after the margin. */
 void usage_print_brief(const struct command *command, FILE *out);
 void usage_print_command_help(const struct command *command, FILE *out);
 void usage_print_example(

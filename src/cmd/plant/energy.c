@@ -1,4 +1,4 @@
-/* energy: loads, shows, compares and assesses collision energies.
+/* energy: loads, shows, compares and assesses simulated collision energies.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -16,9 +16,10 @@
 #include "io/fs/shipped.h"
 #include "io/sitefile/units.h"
 
-/* What a call asks about collision energies.  cut: J/kg.  E: that of the tip
- * speed asked about.  scale: from the simulated energies to that speed.  rotor:
- * that of the site in use, m, or 0: the simulated one is another. */
+/* A question about collision energies.  cut: J/kg, at the simulated speed;
+ * speed: the tip speed asked about, m/s; E: v^2/2 at that speed, J/kg; scale:
+ * factor from the simulated energies to that speed; rotor: diameter of the
+ * rotor of the site in use, m, or 0.  The simulated rotor is another. */
 struct energy_question {
 	const struct energies *e;
 	const struct spectrum *spectrum;
@@ -26,8 +27,9 @@ struct energy_question {
 	const struct entry *entry; /* site whose parameters give k, or NULL */
 };
 
-/* Returns k of a size with Eq 3 and the entry's parameters: the threshold is
- * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha.  Without parameters
+/* Returns k for a size: the number of impacts at v^2/2 that break as much as
+ * the simulated ones.  By Eq 3 with the entry's parameters, the threshold is
+ * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha; without parameters
  * they are the cut and 0. */
 static double
 k_of_size_by_eq3(
@@ -139,7 +141,7 @@ put_energy_bins(struct answer *r, const struct energy_question *q,
 	answer_put_rows_as_objects(r, "sizes");
 }
 
-/* Returns how many of the impacts can be taken as independent. */
+/* Returns how many of the impacts count as independent. */
 static double
 count_independent_impacts(const struct energies *e)
 {
@@ -149,7 +151,7 @@ count_independent_impacts(const struct energies *e)
 	return fmax(n, 1);
 }
 
-/* Compares the other spectra with this one, each scaled to its speed. */
+/* Notes how much other loaded spectra, scaled by v^2, differ from this one. */
 static void
 note_comparison_of_spectra(
     struct answer *r, const struct session *s, const struct energy_question *q)
@@ -161,8 +163,9 @@ note_comparison_of_spectra(
 		    fabs(other->speed - q->spectrum->speed) < 1e-9)
 			continue;
 		double d = spectrum_ks_distance(q->spectrum, other, q->cut);
-		/* The 95 % limit of Kolmogorov and Smirnov for particles,
-		 * because the impacts of one particle depend on each other. */
+		/* The 95 % limit of Kolmogorov and Smirnov.  It counts
+		 * particles, because the impacts of one particle depend on each
+		 * other. */
 		double chance =
 		    1.36 * sqrt(1 / count_independent_impacts(q->e) +
 				1 / count_independent_impacts(o));
@@ -178,9 +181,9 @@ note_comparison_of_spectra(
 	}
 }
 
-/* Judges whether one impact at v^2/2 is a fair picture.  It is if three things
- * hold within a quarter: k is about 1, the first impact has most of the energy,
- * and that energy is near v^2/2. */
+/* Says whether one impact at v^2/2 is a fair picture.  Three things must hold,
+ * each within a quarter: k is about 1, the first impact has most of the energy,
+ * and its energy is near v^2/2. */
 static void
 note_whether_one_impact_is_fair(struct answer *r,
     const struct energy_question *q, const struct spectrum_size *whole)
@@ -214,8 +217,7 @@ note_whether_one_impact_is_fair(struct answer *r,
 		    "this spectrum");
 }
 
-/* Notes how the rock of a site breaks under the impacts, by Eq 3 with its
- * parameters. */
+/* Notes the range of k over the sizes, by Eq 3 with the site's parameters. */
 static void
 note_k_with_site_params(struct answer *r, const struct energy_question *q)
 {

@@ -21,8 +21,8 @@
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* Finds the middle share of the draws, widened to hold the answer; NAN if there
- * is a model alone. */
+/* Sets range to the middle share of the draws, widened to include the answer,
+ * or to NAN if there are no draws. */
 static void
 band_of_draws(const struct plant *p, const struct plant_result *o,
     const double *draw, double answer, double range[static 2])
@@ -33,7 +33,8 @@ band_of_draws(const struct plant *p, const struct plant_result *o,
 		    draw, p->question->level, answer, range);
 }
 
-/* Finds the range of t/h that enter a unit or, if that is NULL, of a stream. */
+/* Sets range to the band of the t/h that enter a unit or, if it is NULL, of the
+ * t/h of a stream. */
 static void
 band_of_inflow_tph(const struct plant *p, const struct plant_result *o,
     const struct unit *unit, size_t stream, double range[static 2])
@@ -128,7 +129,8 @@ note_mass_balance(
 	answers_put_low_high(f, "circulating_range_tph", range[0], range[1]);
 }
 
-/* Notes the rotor and the cascade of each crusher. */
+/* Notes how much goes through the rotor of each crusher, and how much past
+ * it. */
 static void
 note_rotor_of_each_crusher(
     const struct plant *p, const struct plant_result *o, struct answer *r)
@@ -166,7 +168,7 @@ note_rotor_of_each_crusher(
 	}
 }
 
-/* Warns of readings that no crusher can have. */
+/* Warns of readings of the motor that are physically impossible. */
 static void
 warn_of_impossible_readings(const struct plant *p, struct answer *r)
 {
@@ -244,8 +246,9 @@ note_earnings(
 	    o->money, range[0], range[1]);
 }
 
-/* The speeds tried, m/s, and what each earns, on average and in each draw; NAN
- * if the circuit has no steady state. */
+/* The speeds tried, m/s, and what each earns per hour, on average (NAN if the
+ * circuit has no steady state) and in each draw.  best: index of the speed that
+ * earns most. */
 enum { COARSE = 20, FINE = 10, LOOKED_AT = COARSE + 1 + FINE };
 struct speed_trials {
 	size_t n, best;
@@ -290,7 +293,8 @@ search_best_earning_speed(const struct plant *p, double from, double to)
 	return s;
 }
 
-/* Finds the range of the speeds at which the draws earn most. */
+/* Sets range to the band of the speed that earns most, or to NAN if there are
+ * no draws. */
 static void
 range_of_best_speeds(const struct plant *p, const struct speed_trials *s,
     size_t draws, double range[static 2])
@@ -394,8 +398,8 @@ largest_difference_from_feed(const struct plant *p,
 	return most;
 }
 
-/* Returns the worst light of the crushers at their speeds.  A feed that
- * recycled material has changed is judged like any other feed. */
+/* Returns the worst light of the crushers at their speeds.  Recycled material
+ * changes the feed of a crusher, which counts as for any other feed. */
 static struct trust
 worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 {
@@ -430,7 +434,7 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	FREED char *what =
 	    p->from_file
 		? xstrdup(p->circuit->name[0] != '\0' ? p->circuit->name
-						      : "circuit of a file")
+						      : tr("circuit of a file"))
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
 	struct answer *r = answer_about_site(entry->site, "flow",
@@ -451,7 +455,7 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	return r;
 }
 
-/* Adds the numbers of the streams and what the answer rests on. */
+/* Adds the streams to the fields, and the basis of the answer. */
 static void
 add_streams_and_basis(
     const struct plant *p, const struct plant_result *o, struct answer *r)
@@ -471,7 +475,7 @@ add_streams_and_basis(
 	    p->s, r, p->question, 0, band, worst_trust_of_crushers(p, o));
 }
 
-/* A flow sheet that is drawn as an image needs no words. */
+/* Shows the answer, or only keeps it if it is drawn as an image. */
 static void
 show_flow_answer(const struct plant *p, struct answer *r)
 {
@@ -529,11 +533,11 @@ show_flow_at_speed(const struct plant *p, double speed, struct error *error)
 	return ok;
 }
 
-/* There are few points, because each solves the circuit for all draws. */
+/* Points of the curves: few, because each solves the circuit for all draws. */
 enum { POINTS = 21 };
 
 /* Adds a series for each product, in the order of the table, which is the same
- * at all speeds.  Returns their number. */
+ * at all speeds.  Sets unit to their units, and returns their number. */
 static size_t
 add_product_series(struct chart *chart, const struct plant *p,
     const struct plant_result *o, const struct unit **unit)
@@ -565,9 +569,9 @@ tph_of_product(const struct plant *p, const struct plant_result *o,
 	    flow_tph_into_unit(&o->flow, unit), range[0], range[1]};
 }
 
-/* Draws a line with its band for each product, t/h, at speeds from..to, m/s,
- * with a gap where the circuit has no steady state.  The caller frees it with
- * chart_free. */
+/* Returns a chart with a line and a band for each product, t/h, at speeds
+ * from..to, m/s, with gaps where the circuit has no steady state.  The caller
+ * frees it with chart_free. */
 static struct chart *
 flow_chart_by_speed(const struct plant *p, double from, double to)
 {
@@ -594,7 +598,7 @@ flow_chart_by_speed(const struct plant *p, double from, double to)
 	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty",
 		    100 * p->question->level);
-	/* The light at the middle speed; further out it is no better. */
+	/* The light at the middle speed, where it is at its best. */
 	FREED char *light = trust_in_words_at_speed(
 	    p->s, p->question->entry, (from + to) / 2, p->question->feed);
 	chart_note(chart, "%s", light);

@@ -1,5 +1,6 @@
 /* Solves the circuit for the draws at a speed (circuit_compute_flow), and adds
- * power and earnings draw by draw. SPDX-License-Identifier: GPL-3.0-or-later */
+ * power and earnings draw by draw.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/plant/plant.h"
 
 #include <math.h>
@@ -21,8 +22,8 @@
 /* Each fraction may need two screens and two stockpiles. */
 enum { FRACTIONS = CIRCUIT_UNITS / 5, EDGES = 2 * FRACTIONS };
 
-/* Returns the next part of a list with commas, trimmed, or NULL at its end.
- * The caller frees it. */
+/* Returns the next part of a list, trimmed, or NULL at its end.  A comma or a
+ * semicolon separates parts.  The caller frees it. */
 static char *
 next_list_part(const char **at)
 {
@@ -35,7 +36,8 @@ next_list_part(const char **at)
 	return part;
 }
 
-/* The fractions asked for, and their edges, m, coarsest first, without 0. */
+/* The fractions of fractions=, and their edges, m, coarsest first, without
+ * 0. */
 struct fraction_list {
 	size_t n, n_edge;
 	struct fraction fraction[FRACTIONS];
@@ -86,7 +88,7 @@ parse_fractions(const char *text, struct fraction_list *c, struct error *error)
 	return ok;
 }
 
-/* Returns "2/5"; for a fraction without an upper size "+11.2". */
+/* Returns "2/5", or "+11.2" for a fraction without an upper size. */
 static char *
 name_of_fraction(double fine, double coarse)
 {
@@ -96,7 +98,7 @@ name_of_fraction(double fine, double coarse)
 	return quantities_fraction_text(&f);
 }
 
-/* True if a list has that name.  Adds 1 to *taken if so. */
+/* True if a list contains a name; adds 1 to *taken then. */
 static bool
 is_name_in_list(const char *list, const char *name, size_t *taken)
 {
@@ -148,7 +150,8 @@ add_screen(struct circuit *c, const struct args *args, double opening,
 	return screen->out[0];
 }
 
-/* Adds a crusher that the new feed enters, and returns it. */
+/* Adds a crusher that the new feed enters, and returns it.  Sets *crushed to
+ * its outgoing stream. */
 static struct unit *
 add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 {
@@ -163,8 +166,8 @@ add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 	return crusher;
 }
 
-/* Builds the crusher and a deck of screens.  The oversize of each screen is a
- * fraction, which goes back to the crusher or to a stockpile. */
+/* Builds the circuit of a crusher and a deck of screens.  The oversize of each
+ * screen is a fraction, which goes back to the crusher or to a stockpile. */
 static bool
 build_circuit(const struct args *args, const struct fraction_list *cuts,
     struct plant *p, struct error *error)
@@ -234,8 +237,8 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 	    path, path);
 }
 
-/* Drops sizes that differ from their neighbour by rounding alone; they are in
- * falling order. */
+/* Sorts sizes, coarsest first, and drops those that differ from their neighbour
+ * only by rounding.  Returns their number. */
 static size_t
 drop_equal_sizes(double *size, size_t n)
 {
@@ -248,9 +251,9 @@ drop_equal_sizes(double *size, size_t n)
 	return kept;
 }
 
-/* Chooses the classes: the sizes of the site, sizes between them, and those of
- * the screens.  If a feed has very many sieves, only some of them are taken,
- * because the work grows with the third power of their number. */
+/* Chooses the edges of the size classes: the site's sieves, sizes between them,
+ * and the screens.  Of very many sieves it takes only some, because the work
+ * grows with the third power of their number. */
 static void
 choose_class_sizes(struct plant *p)
 {
@@ -275,7 +278,7 @@ choose_class_sizes(struct plant *p)
 	psd_free(&sieves);
 }
 
-/* Refuses screens that are finer than the finest sieve of the feed. */
+/* Sets an error if a screen is finer than the finest sieve of the feed. */
 static bool
 check_screens_within_feed(const struct plant *p, struct error *error)
 {
@@ -293,8 +296,8 @@ check_screens_within_feed(const struct plant *p, struct error *error)
 	return true;
 }
 
-/* Gives every product of that name its price.  priced [n_unit] marks those that
- * already have one from the same list. */
+/* Sets the price of every product with a name.  priced [n_unit] marks those
+ * that the same list has priced already. */
 static bool
 set_price_of_product(struct circuit *c, const char *name, double price,
     bool *priced, struct error *error)
@@ -319,7 +322,7 @@ set_price_of_product(struct circuit *c, const char *name, double price,
 			    name);
 }
 
-/* Reads "0/2:12". */
+/* Reads a price, "0/2:12". */
 static bool
 parse_product_price(
     struct circuit *c, const char *part, bool *priced, struct error *error)
@@ -364,7 +367,7 @@ add_power_reading(struct plant *p, struct reading reading)
 	p->reading[p->n_reading++] = reading;
 }
 
-/* Reads "72:187:121", or "66:52:0" for an empty crusher. */
+/* Parses a reading, "72:187:121", or "66:52:0" for an empty crusher. */
 static bool
 parse_power_reading(struct plant *p, const char *part, struct error *error)
 {
@@ -389,8 +392,8 @@ parse_power_reading(struct plant *p, const char *part, struct error *error)
 	return true;
 }
 
-/* Reads "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", which add
- * writes. */
+/* Adds the reading in a note that add wrote, such as "72 m/s, 2026-05-03 10:15,
+ * 187 kW, 121 t/h, cut.csv", if it has all three values. */
 static void
 parse_power_reading_of_note(struct plant *p, const char *note)
 {
@@ -432,7 +435,7 @@ parse_power_options(
 	return true;
 }
 
-/* Makes the crusher with the feed of the question. */
+/* Makes the crusher's model, with the question's feed. */
 static void
 make_crusher_model(struct plant *p)
 {
@@ -446,7 +449,7 @@ make_crusher_model(struct plant *p)
 	psd_free(&sieves);
 }
 
-/* Makes the models of the units that run at a speed of their own. */
+/* Makes the models of the crushers that run at a speed of their own. */
 static void
 make_models_of_units(struct plant *p)
 {
@@ -511,8 +514,8 @@ plant_speed_of_unit(const struct unit *unit, double speed)
 	return unit->speed > 0 ? unit->speed : speed;
 }
 
-/* Adds the power and the earnings of a draw.  A model alone has a single
- * product, which serves all draws of the power. */
+/* Adds the power and the earnings of draw d.  Without draws of the product, its
+ * single flow serves all draws of the power. */
 static void
 compute_power_and_earnings(
     const struct plant *p, struct plant_result *o, size_t d)

@@ -1,5 +1,5 @@
 /* Finds the word at the cursor, what the command table expects there, and the
- * candidates of that kind.
+ * candidates for it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/complete.h"
 
@@ -19,16 +19,18 @@
 #include "io/fs/shipped.h"
 #include "io/formats/standards.h"
 
-/* A completion in progress.  typed: the word so far, without quotes; folded:
- * without case and accents, too; quoted: it began with a quote. */
 struct work {
 	const struct session *session;
 	struct completion *result;
+	/* The word so far, without quotes; folded: and without case and
+	 * accents. */
 	char *typed, *folded;
+	/* The word began with a quote. */
 	bool quoted;
 };
 
-/* readline would print candidates unescaped. */
+/* Skips texts with control characters, because readline prints candidates as
+ * they are. */
 static void
 add_candidate(struct work *w, const char *text, char append)
 {
@@ -46,15 +48,14 @@ offer_if_matching(struct work *w, const char *text, char append)
 		add_candidate(w, text, append);
 }
 
-/* True if a name in small letters begins as typed, whose case and accents are
- * ignored. */
+/* True if a name in lower case begins as typed, ignoring case and accents. */
 static bool
 begins_as_typed(const struct work *w, const char *name)
 {
 	return strncmp(name, w->folded, strlen(w->folded)) == 0;
 }
 
-/* Offers the first word of a name, once. */
+/* Offers the first word of a name, unless it was offered before. */
 static void
 offer_command_name(struct work *w, const char *name)
 {
@@ -76,7 +77,7 @@ offer_commands(struct work *w)
 	}
 }
 
-/* Offers the second words of names that begin with `first`. */
+/* Offers the second word of names whose first word is `first`. */
 static void
 offer_second_words(struct work *w, const char *first)
 {
@@ -132,7 +133,7 @@ offer_run_speeds(struct work *w)
 	}
 }
 
-/* Quotes names with characters that would end the word. */
+/* Quotes a name with characters that would end the word. */
 static void
 add_material_candidate(void *data, const char *name)
 {
@@ -142,7 +143,7 @@ add_material_candidate(void *data, const char *name)
 	add_candidate(w, text, ' ');
 }
 
-/* Ignores case and accents, as `recall` does.  Offers no more than a user would
+/* Ignores case and accents, as `recall` does.  Offers only so many as one would
  * read. */
 static void
 offer_materials(struct work *w)
@@ -159,7 +160,7 @@ offer_materials(struct work *w)
 	material_list_free(&paper);
 }
 
-/* Ignores case.  Names contain spaces. */
+/* Ignores case.  Quotes all names, because they contain spaces. */
 static void
 offer_envelope_names(struct work *w)
 {
@@ -181,7 +182,7 @@ add_file_candidate(struct work *w, const char *path)
 	bool folder = stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 	bool quotes =
 	    w->quoted || path[strcspn(path, " ;|<>")] != '\0' || path[0] == '#';
-	/* After a folder the quote stays open for the rest of the path. */
+	/* After a folder the quote stays open, for the rest of the path. */
 	FREED char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
 	    folder ? "/" : "", quotes && !folder ? "\"" : "");
 	add_candidate(w, text, folder ? '\0' : ' ');
@@ -202,7 +203,7 @@ offer_files(struct work *w)
 		const char *name = e->d_name;
 		bool hidden = name[0] == '.' && tail[0] != '.';
 		bool self = strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
-		/* A name with a quote cannot be typed. */
+		/* A name that contains a quote cannot be typed. */
 		if (hidden || self || strchr(name, '"') != NULL ||
 		    strncmp(name, tail, strlen(tail)) != 0)
 			continue;
@@ -213,8 +214,8 @@ offer_files(struct work *w)
 	closedir(dir);
 }
 
-/* Offers the sites that load knows by name, if the word matches no file and is
- * not empty. */
+/* Offers the shipped sites, which load finds by name, if the word is not empty
+ * and no file matches it. */
 static void
 offer_shipped_sites(struct work *w)
 {
@@ -235,7 +236,8 @@ offer_shipped_sites(struct work *w)
 		closedir(dir);
 }
 
-/* The words in capitals that the command table uses. */
+/* The words in capitals of the command table, and what offers candidates for
+ * each. */
 static const struct {
 	const char *word;
 	void (*offer)(struct work *);
@@ -256,7 +258,7 @@ offer_words_of_kind(struct work *w, const char *word)
 	KINDS[i].offer(w);
 }
 
-/* Offers the words of a list: those in capitals are kinds. */
+/* Offers the words in a list; those in capitals are looked up in KINDS. */
 static void
 offer_words_of_list(struct work *w, const char *list)
 {
@@ -281,8 +283,8 @@ offer_operand_values(struct work *w, const struct command *command, size_t i)
 		offer_words_of_list(w, list);
 }
 
-/* further: after a comma, where a word that stands for all numbers is not
- * allowed. */
+/* further: after a comma, where a word that stands for all numbers may not
+ * follow. */
 static void
 offer_option_values(
     struct work *w, const struct command_option *o, bool further)
@@ -315,7 +317,7 @@ offer_unused_options(struct work *w, const struct args *used)
 	offer_operand_values(w, command, used->n_operand);
 }
 
-/* Takes a part of the line, in which a word begins, as what was typed. */
+/* Takes a word in the line, up to the cursor, as what was typed. */
 static void
 set_typed_word(struct work *w, const char *word)
 {
@@ -326,7 +328,7 @@ set_typed_word(struct work *w, const char *word)
 	w->folded = text_fold_case_and_accents(w->typed);
 }
 
-/* Restricts the completion to the part of the word after `behind`. */
+/* Limits the completion to the part of the word after `behind`. */
 static void
 set_typed_part_after(struct work *w, const char *line, const char *behind)
 {
@@ -334,8 +336,8 @@ set_typed_part_after(struct work *w, const char *line, const char *behind)
 	set_typed_word(w, behind + 1);
 }
 
-/* Returns the option of which the word is a value, by name or as the bare
- * option; or NULL. */
+/* Returns the option that the word is a value of, because it names the option
+ * (*named) or is the bare one; otherwise NULL. */
 static const struct command_option *
 option_of_value(const struct args *used, const char *typed, bool *named)
 {
@@ -352,7 +354,7 @@ option_of_value(const struct args *used, const char *typed, bool *named)
 		   : NULL;
 }
 
-/* Returns the setting whose value follows, as after "set method "; or NULL. */
+/* Returns the setting whose value is next, as after "set method "; or NULL. */
 static const struct command_option *
 setting_awaiting_value(const struct args *used, const char *last)
 {
@@ -402,8 +404,8 @@ offer_after_words(struct work *w, const struct words *words, struct place place,
 	args_free(&used);
 }
 
-/* Finds where the last command of a line, and its last word, begin.  Returns
- * false in a comment. */
+/* Finds where the last command in a line begins, and its last word.  Returns
+ * false if that is in a comment. */
 static bool
 find_start_of_last_word(const char *line, size_t *command, size_t *word)
 {
@@ -453,7 +455,7 @@ sort_distinct_candidates(struct completion *c)
 	c->n = kept;
 }
 
-/* line: up to the cursor. */
+/* line: the text up to the cursor. */
 static void
 complete_last_word(struct work *w, const char *line)
 {

@@ -7,25 +7,26 @@
 
 #include "cmd/session/session.h"
 
-/* A candidate.  text: as typed, with quotes.  append: the character to add once
- * it is chosen: a space, '=' after an option, or '\0' if the word continues (a
- * folder). */
+/* One way to complete a word. */
 struct candidate {
+	/* As one would type it, with quotes if it needs them. */
 	char *text;
+	/* The character to add once it is chosen: a space, '=' after an option,
+	 * or '\0' if the word goes on, as after a folder. */
 	char append;
 };
 
-/* The candidates in alphabetical order, without duplicates.  start: offset in
- * the line of the word that they replace (or of its part after '=' or a
- * comma). */
+/* The candidates, sorted, without duplicates. */
 struct completion {
+	/* start: the offset in the line of the word that they replace, or of
+	 * the part of it after '=' or a comma. */
 	size_t start, n;
 	struct candidate *candidate;
 };
 
-/* Returns the candidates at the cursor, an offset into line.  Text after the
- * cursor is ignored.  Reads the session and, for files, folders; changes
- * nothing and cannot fail.  Free with completion_free. */
+/* Returns the candidates at the cursor, an offset into the line.  Ignores the
+ * text after it.  Reads the session and, for files, folders; changes nothing,
+ * and cannot fail.  Free with completion_free. */
 struct completion *complete_at_cursor(
     const struct session *s, const char *line, size_t cursor);
 void completion_free(struct completion *completion);

@@ -17,7 +17,7 @@
 #include "core/numeric/isa.h"
 #include "plot/picture.h"
 
-/* Help for a new user. */
+/* Prints help for a new user. */
 static void
 print_getting_started(FILE *out)
 {
@@ -44,7 +44,8 @@ print_getting_started(FILE *out)
 	    out);
 }
 
-/* Help is for people: with JSON or CSV results it goes to the notes. */
+/* Returns where help goes: people read it, so it goes to the notes if results
+ * are JSON or CSV. */
 static FILE *
 stream_for_help(const struct session *s)
 {
@@ -61,7 +62,7 @@ is_command_group(const char *name)
 	return false;
 }
 
-/* text: NULL has no word. */
+/* text: may be NULL, which contains nothing. */
 static bool
 folded_text_contains(const char *text, const char *folded)
 {
@@ -69,8 +70,7 @@ folded_text_contains(const char *text, const char *folded)
 	return strstr(here, folded) != NULL;
 }
 
-/* True if the word occurs in anything that the table states about a
- * command. */
+/* True if anything that the table says about the command contains the word. */
 static bool
 command_help_has_word(const struct command *c, const char *folded)
 {
@@ -87,7 +87,7 @@ command_help_has_word(const struct command *c, const char *folded)
 	return found;
 }
 
-/* Lists the commands whose help contains a word.  Returns their number. */
+/* Prints the commands whose help contains a word; returns their number. */
 static size_t
 print_commands_with_word(const struct session *s, const char *word)
 {
@@ -118,7 +118,7 @@ error_unknown_command(const char *name, struct error *error)
 	    name, near != NULL ? near : name);
 }
 
-/* Finds a command by a name of two words, or by what other programs call it:
+/* Finds a command by a name of two words, its own or that of other programs:
  * "full screen". */
 static const struct command *
 find_two_word_command(const char *words)
@@ -179,7 +179,7 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 	    args->operand[0]);
 }
 
-/* Shows the help of a command that has no page of its own. */
+/* Shows the help of a command if `man` has no page of that name. */
 static bool
 show_help_for_missing_page(const struct session *s,
     const struct command_option *page, const char *name, struct error *error)

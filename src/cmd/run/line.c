@@ -1,4 +1,4 @@
-/* Runs command lines; creates and destroys sessions.
+/* Runs command lines; creates and frees sessions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/line.h"
 
@@ -79,7 +79,7 @@ session_free(struct session *s)
 	free(s);
 }
 
-/* True if a word, or its part before @, names an existing file. */
+/* True if the word, or the part of it before @, is the name of a file. */
 static bool
 is_existing_file_name(const char *word)
 {
@@ -89,8 +89,8 @@ is_existing_file_name(const char *word)
 	       (at != NULL && access(name, F_OK) == 0);
 }
 
-/* Joins the words of "load belt cuts may.csv" if none of them is a file but all
- * together are. */
+/* Joins the words of "load belt cuts may.csv" if together they are the name of
+ * a file, and none of them is by itself. */
 static void
 join_words_to_file_name(struct words *words)
 {

@@ -1,5 +1,5 @@
-/* Chooses the next step by what the current site lacks: a check, a calibration,
- * a validation, or nothing.
+/* Chooses the next step by what the current site still lacks: a check, a
+ * calibration, a validation, or nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/next.h"
 
@@ -13,8 +13,8 @@
 #include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
-/* Returns the number of runs with a product to compare; *held_out: whether some
- * are held out. */
+/* Returns the number of runs with a product to compare with.  *held_out:
+ * whether any of them is held out. */
 static size_t
 count_runs_with_product(const struct entry *entry, bool *held_out)
 {
@@ -119,8 +119,8 @@ next_step_before_load(const struct session *s)
 	    false, NEXT_LOAD};
 }
 
-/* True if several sites are loaded and none has parameters, so that it is not
- * clear which one is meant. */
+/* True if several sites are loaded and none has parameters, so that we cannot
+ * know which one is meant. */
 static bool
 has_only_sites_without_params(const struct session *s)
 {
@@ -150,7 +150,7 @@ next_step(const struct session *s)
 			      : next_step_before_fit(s, entry);
 }
 
-/* Says at which speeds answers can be had. */
+/* Notes at which speeds predict can answer. */
 static void
 note_predictable_speeds(const struct session *s, const struct entry *entry)
 {
@@ -166,7 +166,7 @@ note_predictable_speeds(const struct session *s, const struct entry *entry)
 	    usual, from, to, rpm);
 }
 
-/* True if the answer before the newest has said this. */
+/* True if the answer before the newest one has this sentence. */
 static bool
 was_in_previous_answer(const struct session *s, const char *text)
 {
@@ -187,8 +187,9 @@ next_print_result_lines(const struct session *s)
 	const struct answer *a = s->answer[s->n_answer - 1];
 	struct answer_view view = answer_view(a);
 	bool check = strcmp(answer_command(a), "check") == 0;
-	/* load has reported what was read, next_step suggests what to do, and
-	 * check ends with a sentence about remarks that are not shown here. */
+	/* Leaves out the first and the last sentence: load has said what was
+	 * read, next_step suggests what to do, and check ends with remarks that
+	 * are not shown here. */
 	for (size_t i = check; i + 1 < view.n_sentence; i++)
 		if (!was_in_previous_answer(s, view.sentence[i].text))
 			session_note(s, "%s", view.sentence[i].text);

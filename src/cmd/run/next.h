@@ -5,13 +5,14 @@
 
 #include "cmd/session/session.h"
 
-/* The next step: a command line, or NULL if none fits, and a sentence for
- * people: a question or, without a line, what to type.  brief:
- * next_print_result_lines reports the results of the line's commands.  stage:
- * how far the session has progressed; another fit restarts it. */
+/* The next step. */
 struct next {
+	/* line: the commands to run, or NULL if there are none to suggest.
+	 * words: a question about them or, without a line, what to type. */
 	const char *line, *words;
+	/* next_print_result_lines shows what the commands found. */
 	bool brief;
+	/* How far the session has come; another fit sets it back. */
 	enum {
 		NEXT_LOAD,
 		NEXT_CHECK,
@@ -21,10 +22,10 @@ struct next {
 	} stage;
 };
 
-/* Returns the next step; words is NULL if there is nothing to say. */
+/* Returns the next step; its `words` are NULL if there is nothing to say. */
 struct next next_step(const struct session *s);
 
-/* Prints the results of check, calibrate and validate in a few lines. */
+/* Prints what check, calibrate and validate found, in a few lines. */
 void next_print_result_lines(const struct session *s);
 
 #endif

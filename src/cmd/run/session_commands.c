@@ -1,5 +1,5 @@
-/* Commands for the session as a whole: set, seed, drop, reset, save, restore,
- * undo, redo and small ones.
+/* Commands about the session as a whole: set, seed, drop, reset, save, restore,
+ * undo, redo, echo, timing, tui.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 #include <sys/stat.h>
@@ -37,7 +37,7 @@ cmd_drop(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Clears everything that was loaded and set. */
+/* Clears all that was loaded and set, except for these settings. */
 static void
 reset_session(struct session *s, const struct settings *choices)
 {
@@ -65,7 +65,8 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* The script itself sets what the command line had set when it was saved. */
+/* Begins with the defaults, because the script itself sets what the command
+ * line had set when it was saved. */
 static bool
 restore_from_script(struct session *s, const char *path, struct error *error)
 {
@@ -76,7 +77,7 @@ restore_from_script(struct session *s, const char *path, struct error *error)
 	return true;
 }
 
-/* Returns the name typed, with .tip if it has no ending and is not that of a
+/* Returns the name as typed, with .tip if it has no ending, unless it is a
  * device or pipe: nobody means a file beside /dev/full.  The caller frees
  * it. */
 static char *
@@ -160,8 +161,8 @@ show_settings(struct session *s)
 	return session_show_answer(s, r);
 }
 
-/* Refuses texts that cannot be read and speeds that are no range.  A feed need
- * not cover the conditions yet. */
+/* Returns false with an error for texts that cannot be parsed, and for speeds
+ * that are no range.  No feed has to cover a goal's sizes yet. */
 static bool
 check_setting_value(struct session *s, const struct command_option *row,
     const struct value *value, struct error *error)
@@ -213,10 +214,10 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	}
 	if (!model_settings_are_same(&before, &s->set.model))
 		session_forget_answers(s);
-	/* Settings alone are not worth keeping, but a goal is. */
+	/* Settings alone need no saving, but a goal does. */
 	if (strcmp(was.goal, s->set.goal) != 0)
 		journal_number_new_state(s);
-	/* The parameters of loaded sites are not changed. */
+	/* This does not change the parameters of loaded sites. */
 	if (s->set.model.breakage != before.breakage) {
 		const struct bounds usual = bounds_default(before.breakage);
 		if (memcmp(&usual, &s->set.bounds, sizeof usual) != 0)
@@ -250,8 +251,9 @@ print_script_with_heading(const void *data, FILE *out)
 	journal_write_script(data, out);
 }
 
-/* A file to which this session was saved is replaced without asking; the file
- * that it was restored from only with replace=on. */
+/* True if the script may be written: the file that this session was saved to
+ * may be replaced without asking, the one that it was restored from only with
+ * replace=on. */
 static bool
 may_overwrite_script(const struct session *s, const struct args *args,
     const char *path, struct error *error)
@@ -297,8 +299,8 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 			 path);
 }
 
-/* Undoes or redoes a step.  A stopped calibration is kept only if its site, and
- * the fit that it left there, are the same afterwards. */
+/* Undoes or redoes a step by `where`.  A stopped calibration is kept only if
+ * its site, with the fit that it gave it, is still there afterwards. */
 static const char *
 undo_or_redo(struct session *s, const char *(*where)(struct session *))
 {
@@ -324,6 +326,11 @@ bool
 cmd_undo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
+	if (s->job.paused && s->job.held_back &&
+	    s->job.undo_steps == undo_count_steps(s)) {
+		session_discard_paused_job(s);
+		return true;
+	}
 	const char *label = undo_or_redo(s, undo_last_step);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to undo");

@@ -1,5 +1,5 @@
-/* Reads speeds as they are typed: several in a row, and revolutions per minute,
- * which it converts to tip speeds: v = pi D n / 60.
+/* Reads speeds as one types them: several in a row, and in rpm, which it
+ * converts to tip speeds: v = pi D n / 60.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/run/speeds.h"
 
@@ -15,7 +15,7 @@
 
 static const char RPM[] = "rpm", RPM_IS[] = "rpm=";
 
-/* True if the operands of a command are speeds. */
+/* True if the operands of the command are speeds. */
 static bool
 takes_speed_operands(const struct command *command)
 {
@@ -24,8 +24,8 @@ takes_speed_operands(const struct command *command)
 	       (command->flags & COMMAND_FILES) == 0;
 }
 
-/* True if a word is "rpm=1500..1700:50", or "rpm=1500" for a command that has
- * no option rpm=: the speeds of the command. */
+/* True if the word is "rpm=1500..1700:50", or "rpm=1500" for a command without
+ * the option rpm=, and therefore stands for speeds=. */
 static bool
 is_speed_list_in_rpm(const struct command *of, const char *word)
 {
@@ -34,8 +34,8 @@ is_speed_list_in_rpm(const struct command *of, const char *word)
 		   strstr(word, "..") != NULL || strchr(word, ',') != NULL);
 }
 
-/* True for a number, list or range that ends with rpm, or begins with a number
- * that no tip speed reaches. */
+/* True if the value is a number, list or range that ends in "rpm" or begins
+ * with a number too large for a tip speed. */
 static bool
 is_value_in_rpm(const char *value)
 {
@@ -56,8 +56,8 @@ is_one_number(const char *value)
 	return *end == '\0' || strcmp(end, RPM) == 0;
 }
 
-/* Returns the value in word i, after "from=" or from its beginning, if it is a
- * number, list or range in rpm for an option in m/s; else NULL. */
+/* Returns the value in word i, after "from=" or from its beginning, if it is in
+ * rpm and belongs to an option in m/s; otherwise NULL. */
 static const char *
 find_value_in_rpm(const struct words *words, size_t i)
 {
@@ -80,8 +80,8 @@ find_value_in_rpm(const struct words *words, size_t i)
 	return speed && is_value_in_rpm(value) ? value : NULL;
 }
 
-/* Returns the diameter of rotor_mm= or else of the site, m; 0 if neither states
- * it. */
+/* Returns the diameter in rotor_mm= or else that of the site, m; 0 if neither
+ * states it. */
 static double
 rotor_diameter_m(struct session *s, const struct words *words)
 {
@@ -96,7 +96,7 @@ rotor_diameter_m(struct session *s, const struct words *words)
 }
 
 /* Expands "1500..1600:50" to "1500,1550,1600", because equal steps in rpm need
- * not be round steps in m/s.  Returns other text unchanged.  The caller frees
+ * not be round steps in m/s.  Returns other texts unchanged.  The caller frees
  * it. */
 static char *
 expand_rpm_range_text(const char *turns)
@@ -115,8 +115,8 @@ expand_rpm_range_text(const char *turns)
 	return list;
 }
 
-/* Converts each number in the text from rpm to m/s and removes the units.  The
- * caller frees the result. */
+/* Converts each number in the text from rpm to m/s, and removes the units.  The
+ * caller frees it. */
 static char *
 convert_rpm_text_to_mps(const char *turns, double diameter)
 {
@@ -141,7 +141,7 @@ convert_rpm_text_to_mps(const char *turns, double diameter)
 	return text;
 }
 
-/* Returns the number of words in rpm. */
+/* Returns how many words have a value in rpm. */
 static size_t
 count_words_in_rpm(const struct words *words)
 {
@@ -151,7 +151,8 @@ count_words_in_rpm(const struct words *words)
 	return n;
 }
 
-/* Says what to type where speeds are in rpm and the rotor is not known. */
+/* Sets the error for speeds in rpm without a known rotor, with what to type.
+ * Returns false. */
 static bool
 error_rotor_unknown(struct session *s, const struct words *words,
     struct place place, size_t i, struct error *error)
@@ -205,8 +206,8 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 	return true;
 }
 
-/* True if a word is a speed, a range of them, "66..81:5", or a list of three or
- * more: "69,74" may mean 69.74. */
+/* True if the word is a speed, a range "66..81:5", or a list.  *list: it is a
+ * range, or has at least three numbers; "69,74" may mean 69.74. */
 static bool
 is_speed_range_or_list(const char *word, bool *list)
 {
@@ -221,7 +222,8 @@ is_speed_range_or_list(const char *word, bool *list)
 		   strcmp(word + n, "m/s") == 0);
 }
 
-/* Returns a word as part of a list, in which commas separate numbers. */
+/* Returns the word as an item of a list, where commas separate numbers.  The
+ * caller frees it. */
 static char *
 speed_as_list_item(const char *word, bool list)
 {
@@ -235,27 +237,32 @@ speed_as_list_item(const char *word, bool list)
 	return part;
 }
 
-/* Says how "69,74" was read, unless a product was measured at that speed. */
-static void
-note_decimal_comma(struct session *s, const struct words *words)
+/* True if a word such as "69,74" is two speeds, which is noted: both are within
+ * the usual range, and nothing was measured at 69.74 m/s.  Other words with a
+ * comma, such as "69,5", are one number. */
+static bool
+is_two_speeds(struct session *s, const char *word)
 {
-	unsigned whole, decimals;
+	unsigned one, two;
+	double from, to, speed;
 	int n = 0;
-	if (sscanf(words->text[1], "%3u,%3u%n", &whole, &decimals, &n) != 2 ||
-	    words->text[1][n] != '\0' || whole < 10 || decimals < 10)
-		return;
-	FREED char *number = speed_as_list_item(words->text[1], false);
+	if (sscanf(word, "%3u,%3u%n", &one, &two, &n) != 2 || word[n] != '\0')
+		return false;
+	FREED char *number = speed_as_list_item(word, false);
 	const struct site *site =
 	    s->n_entry > 0 ? session_current_entry(s)->site : NULL;
-	double speed;
-	if (site != NULL && text_parse_typed_number(number, &speed) &&
-	    site_run_at_speed(site, speed) < site->n_run)
-		return;
-	session_note(s, "read %s as %s m/s; for two speeds type: %s %u %u",
-	    words->text[1], number, words->text[0], whole, decimals);
+	settings_default_speed_range(&s->set, site, &from, &to);
+	bool measured = site != NULL &&
+			text_parse_typed_number(number, &speed) &&
+			site_run_at_speed(site, speed) < site->n_run;
+	if (measured || one < from || one > to || two < from || two > to)
+		return false;
+	session_note(s, "read %s as two speeds; for %s m/s type %s", word,
+	    number, number);
+	return true;
 }
 
-/* Makes "68..78" of "68 to 78" at the beginning. */
+/* Turns "68 to 78" after the command's name into "68..78". */
 static void
 join_words_to_speed_range(struct words *words)
 {
@@ -285,14 +292,13 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	FREED char *joined = xstrdup(OPTION);
 	for (; n < words->n && is_speed_range_or_list(words->text[n], &list);
 	     n++) {
+		list = list || is_two_speeds(s, words->text[n]);
 		FREED char *part = speed_as_list_item(words->text[n], list);
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
-	/* The parser handles a single word if the command has a bare option. */
+	/* The parser handles a single word if there is a bare option. */
 	bool alone = lister == command && command->bare == NULL;
-	if (n == 2 && !lists && (alone || lister != command))
-		note_decimal_comma(s, words);
 	if (n > 2 || lists || (n > 1 && alone))
 		words_replace_by_one(words, 1, n - 1, joined);
 }

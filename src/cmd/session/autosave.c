@@ -1,5 +1,5 @@
-/* Writes the file after each command, because at the end, after a crash or
- * without memory, it would be too late.
+/* Writes the file after each command: when the program ends, crashes or runs
+ * out of memory, it would be too late.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/autosave.h"
 
@@ -19,8 +19,9 @@ struct autosave {
 	struct autosave_file *kept;
 	size_t saved;        /* state of the journal that counts as saved */
 	struct mark written; /* what is in the file */
-	char *restoring, *restored; /* file that is; that has been, or NULL */
-	struct error error; /* why it could not be kept; kind NONE: it is */
+	/* The file that is being restored, and one that was; or NULL. */
+	char *restoring, *restored;
+	struct error error; /* why the session could not be kept, if so */
 };
 
 static bool
@@ -48,6 +49,20 @@ write_session_script(const void *data, FILE *out)
 	journal_write_script(s, out);
 }
 
+/* Returns "4 commands, tierp" as the file has it, in the language of texts. */
+static char *
+words_of_left_file(const struct autosave_left *file)
+{
+	char *end;
+	unsigned long n = strtoul(file->about, &end, 10);
+	if (strncmp(end, " command", strlen(" command")) != 0)
+		return xstrdup(file->about);
+	const char *name = strchr(end, ',');
+	FREED char *count =
+	    xasprintf(tr_n("%lu command", "%lu commands", n), n);
+	return xasprintf("%s%s", count, name != NULL ? name : "");
+}
+
 char *
 autosave_begin(struct session *s)
 {
@@ -68,13 +83,14 @@ autosave_begin(struct session *s)
 	if (n > 0) {
 		const struct tm *tm = localtime(&file[0].when.tv_sec);
 		strftime(day, sizeof day, " %H:%M", tm);
+		FREED char *about = words_of_left_file(&file[0]);
 		offer = xasprintf(
 		    n > 1 ? tr("'restore last' brings back your last session, "
 			       "of %d %s%s (%s); 'restore' lists those before "
 			       "it")
 			  : tr("'restore last' brings back your last session, "
 			       "of %d %s%s (%s)"),
-		    tm->tm_mday, tr(MONTHS[tm->tm_mon]), day, file[0].about);
+		    tm->tm_mday, tr(MONTHS[tm->tm_mon]), day, about);
 	}
 	autosave_left_free(file, n);
 	return offer;
@@ -85,8 +101,7 @@ write_autosave(struct session *s)
 {
 	struct autosave *k = s->autosave;
 	struct mark now = journal_current_place(s);
-	/* What reset or restore discarded stays available in a file of its
-	 * own. */
+	/* What reset or restore discards remains in a file of its own. */
 	if (now.start != k->written.start)
 		autosave_file_close(k->kept);
 	if (now.state == k->saved)
@@ -101,7 +116,7 @@ write_autosave(struct session *s)
 	k->written = now;
 }
 
-/* Removes the file that was restored once its content is saved elsewhere: in
+/* Removes the file that was restored, once its session is kept elsewhere: in
  * this session's file, or in one of the user's. */
 static void
 remove_restored_file(struct autosave *k)
@@ -112,7 +127,7 @@ remove_restored_file(struct autosave *k)
 	k->restored = NULL;
 }
 
-/* whole: the session that was being restored, if any, was restored whole. */
+/* Called after a command.  whole: if it restored a session, all of it ran. */
 static void
 keep_restored_path(struct autosave *k, bool whole)
 {
@@ -123,7 +138,7 @@ keep_restored_path(struct autosave *k, bool whole)
 	k->restoring = NULL;
 }
 
-/* Consecutive predictions, as the slider makes, are one line of the journal and
+/* Predictions in a row, as from the slider, are one line of the journal and
  * change nothing, so they are not written. */
 void
 autosave_after_command(struct session *s, bool ok, bool saved)
@@ -137,11 +152,11 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 		if (now.start == k->written.start)
 			remove_restored_file(k);
 	}
-	/* A script is saved as one step, as in undo. */
+	/* The commands of a script are saved together, as they are undone. */
 	if (s->scripts > s->typed_depth)
 		return;
-	/* A session that was restored only in part does not become the newest.
-	 */
+	/* A session of which only a part was restored does not become the
+	 * newest. */
 	bool in_part = k->restoring != NULL && !ok;
 	keep_restored_path(k, ok);
 	if (in_part)
@@ -151,7 +166,7 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 		write_autosave(s);
 }
 
-/* Says how calibrations are kept that are in no file and not in the store. */
+/* Says how to keep calibrations that are in no file and not in the store. */
 static void
 note_fits_not_remembered(struct session *s)
 {
@@ -177,7 +192,7 @@ note_fits_not_remembered(struct session *s)
 		    n);
 }
 
-/* Says how cuts are kept that were added to a site of the store. */
+/* Says how to keep cuts that were added to sites of the store. */
 static void
 note_cuts_not_remembered(struct session *s)
 {
@@ -251,8 +266,8 @@ autosave_show_list(struct session *s)
 		char when[32];
 		strftime(when, sizeof when, "%Y-%m-%d %H:%M",
 		    localtime(&file[i].when.tv_sec));
-		answer_add_cells(
-		    r, "%s %s %s", when, file[i].about, file[i].path);
+		FREED char *about = words_of_left_file(&file[i]);
+		answer_add_cells(r, "%s %s %s", when, about, file[i].path);
 	}
 	answer_note(r, n > 0 ? N_("run 'restore last' for the first, 'restore "
 				  "FILE' for any of them")

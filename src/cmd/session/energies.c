@@ -1,5 +1,5 @@
-/* Reads spectra, keeps them by file, and makes Eq 3 use the impacts of one
- * above its cut.
+/* Reads collision energies, keeps them by file, and makes Eq 3 use the impacts
+ * of a file above its cut.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/energies.h"
 
@@ -32,7 +32,7 @@ energies_free(struct energies *e)
 	free(e);
 }
 
-/* Reports the progress to a user at a prompt; false if the user has
+/* Reports progress to a user at the prompt.  Returns false if the user has
  * interrupted. */
 static bool
 report_rows_read(void *data, uint64_t rows)

@@ -1,4 +1,4 @@
-/* The session's collision energies.
+/* The collision energies that the session has read.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_ENERGIES_H
 #define TIPSPEED_CMD_SESSION_ENERGIES_H
@@ -6,38 +6,40 @@
 #include "cmd/session/session.h"
 #include "io/formats/collisions.h"
 
-/* J/kg; by default, impacts with less energy are not shown and not used in the
- * model. */
+/* By default, impacts with less energy than this, J/kg, are neither shown nor
+ * used in the model. */
 enum { ENERGIES_CUT = 10 };
 
-/* A file that was read; immutable.  name: the file's name without extension;
- * cut: lowest energy of the impacts used, J/kg. */
+/* The collision energies of a file; they do not change. */
 struct energies {
+	/* The file's name without folder and extension, and its path. */
 	char *name, *path;
+	/* The lowest energy of the impacts that are used, J/kg. */
 	double cut;
 	struct collisions c;
 };
 
-/* Reads a file, again if it was read before, because it may have changed, and
- * keeps what it read until the session ends.  On failure, returns NULL with an
- * error. */
+/* Reads a file, even if it was read before, because it may have changed.  The
+ * session keeps the result until it ends.  Returns NULL with an error on
+ * failure. */
 const struct energies *energies_read_file(struct session *s, const char *path,
     const struct collisions_way *way, double cut, struct error *error);
 
 void energies_free(struct energies *e);
 
-/* Returns the energies last read, or NULL with an error if there are none. */
+/* Returns the collision energies to show, or NULL with an error if none were
+ * loaded. */
 const struct energies *energies_last_read(
     const struct session *s, struct error *error);
 
-/* Makes the model use the energies in a file, as last read, instead of the
- * single energy (D15), or, for "off", the single energy again.  On failure, or
- * if the file has no speed, returns false with an error. */
+/* Makes the model use the collision energies in a file, as last read, instead
+ * of a single energy (D15); "off" goes back to the single energy.  Returns
+ * false with an error on failure, or if the file does not state its speed. */
 bool energies_use_file_in_model(
     struct session *s, const char *path, struct error *error);
 
-/* Returns a reason for the light that names what Eq 3 uses instead of the
- * single energy, or NULL if it uses that.  The caller frees it. */
+/* Returns a reason for the light, which says which energies Eq 3 uses; NULL if
+ * it uses the single energy.  The caller frees it. */
 char *energies_trust_reason(const struct session *s);
 
 #endif

@@ -1,5 +1,5 @@
-/* A list of paths as given.  They are resolved only when compared, to recognise
- * links and files that another program has replaced.
+/* A list of paths as they were given.  They are resolved only when compared, so
+ * that links are recognised, and files that another program has replaced.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/files.h"
 
@@ -12,18 +12,19 @@
 #include "base/xalloc.h"
 #include "io/fs/file.h"
 
-/* Each path has one entry for reading and one for writing; number: of its last
- * use, in the order of all uses. */
 struct files {
 	size_t n, uses;
+	/* Each path has one of these for reading and one for writing. */
 	struct use_of_file {
 		char *path;
-		size_t number;
-		bool written;    /* else read */
+		size_t number;   /* of its last use, counting all uses */
+		bool written;    /* otherwise read */
 		bool has_digest; /* of what was read then */
 		uint64_t digest;
 	} * use;
-	char *holder; /* or NULL */
+	/* The script that holds the session, or NULL, and whether the session
+	 * was saved to it. */
+	char *holder;
 	bool saved;
 };
 
@@ -57,13 +58,13 @@ files_compute_digest(const char *path, uint64_t *digest)
 {
 	struct stat file;
 	char piece[1 << 14];
-	/* Reading a FIFO here would take its data from the command. */
+	/* Reading from a FIFO would take its data away from the command. */
 	FILE *in = stat(path, &file) == 0 && S_ISREG(file.st_mode)
 		       ? fopen(path, "rb")
 		       : NULL;
 	if (in == NULL)
 		return false;
-	*digest = UINT64_C(0xcbf29ce484222325);
+	*digest = TEXT_DIGEST_START;
 	for (size_t n; (n = fread(piece, 1, sizeof piece, in)) > 0;)
 		*digest = text_fnv1a_digest(*digest, piece, n);
 	bool good = !ferror(in);
@@ -134,7 +135,7 @@ files_free(struct files *files)
 	free(files);
 }
 
-/* True if the file is the one at path. */
+/* True if the file is the one at this path. */
 static bool
 is_file_at_path(const char *path, const struct stat *file)
 {
@@ -143,7 +144,8 @@ is_file_at_path(const char *path, const struct stat *file)
 	       other.st_dev == file->st_dev && other.st_ino == file->st_ino;
 }
 
-/* True if the file is among those read, or written. */
+/* True if the file is among those written or, if `written` is false, among
+ * those read. */
 static bool
 was_file_read_or_written(
     const struct session *s, const struct stat *file, bool written)

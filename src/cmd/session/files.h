@@ -1,5 +1,5 @@
-/* The files that the session has read and written, so that results do not
- * overwrite the sheets behind them.
+/* The files that the session has read and written, so that its results do not
+ * overwrite the sheets that they come from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_FILES_H
 #define TIPSPEED_CMD_SESSION_FILES_H
@@ -10,44 +10,42 @@
 
 #include "cmd/session/session.h"
 
-/* files_note_read notes a file that a command is about to read;
- * files_note_written one that it has written. */
+/* Call files_note_read when a command is about to read a file, and
+ * files_note_written when it has written one. */
 void files_note_read(struct session *s, const char *path);
 void files_note_written(struct session *s, const char *path);
 
-/* Notes the script that contains the session: it was saved to that script, if
- * saved, or else restored from it. */
+/* Notes the script that holds the session, because the session was saved to it,
+ * if `saved`, or restored from it. */
 void files_set_session_script(struct session *s, const char *path, bool saved);
 
-/* Returns the script noted by files_set_session_script, or NULL; saved: out, or
- * NULL. */
+/* Returns the script of files_set_session_script, or NULL.  *saved, unless
+ * NULL: the session was saved to it. */
 const char *files_session_script(const struct session *s, bool *saved);
 
-/* True if path is writable and is neither a file that the session has read
- * (sheet, script, envelope, store), under any name, nor the script that
- * contains it.  Otherwise sets an error of kind ERROR_SYSTEM. */
+/* True if the file can be written and is neither one that the session has read
+ * (a sheet, script, envelope or the store), under whatever name, nor the script
+ * that holds it.  Otherwise sets an error of kind ERROR_SYSTEM. */
 bool files_may_write(
     const struct session *s, const char *path, struct error *error);
 
-/* As files_may_write, but false with an error of kind ERROR_USAGE also if the
- * file exists and the call does not have replace=on. */
+/* As files_may_write, but also false, with an error of kind ERROR_USAGE, if the
+ * file exists and the call does not say replace=on. */
 bool files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error);
 
-/* Asks the user before replacing a file that the session did not write.
- * Returns false with an error if the user declines.  Nothing is asked in a
- * script. */
+/* Asks the user before a file is replaced that the session did not write.
+ * Returns false with an error if the user declines.  Never in a script. */
 bool files_confirm_replace(
     struct session *s, const char *path, struct error *error);
 
-/* Computes the digest of a regular file's bytes.  Returns false if it cannot be
- * read. */
+/* Computes the digest of a file's bytes.  Returns false if it is not a regular
+ * file or cannot be read. */
 bool files_compute_digest(const char *path, uint64_t *digest);
 
 /* files_count_uses returns how many times files were read or written;
- * files_path_if_read returns the path in use `number`, counted from 0, and
- * the digest at that time, or NULL if it was written, has no digest, or was
- * read again later. */
+ * files_path_if_read returns the path of use `number`, from 0, and its digest
+ * then, or NULL if it was a write, has no digest, or was read again later. */
 size_t files_count_uses(const struct session *s);
 const char *files_path_if_read(
     const struct session *s, size_t number, uint64_t *digest);

@@ -1,5 +1,5 @@
-/* Accompanies every command: the target of its results, its duration, and its
- * part in undo and the journal.
+/* What goes with every command: where its results go, how long it takes, and
+ * its part in undo and in the journal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/invocation.h"
 
@@ -15,7 +15,7 @@
 #include "cmd/session/redirect.h"
 #include "cmd/session/undo.h"
 
-/* Returns the index of an option that names a file, or OPTIONS. */
+/* Returns the index of the option that names a file, or OPTIONS. */
 static size_t
 find_file_option(const struct args *args)
 {
@@ -27,7 +27,7 @@ find_file_option(const struct args *args)
 	return OPTIONS;
 }
 
-/* With --safe, commands use neither files nor the shell. */
+/* Returns false with an error if the command would use files or the shell. */
 static bool
 check_allowed_in_safe_mode(
     const struct args *args, const struct words *words, struct error *error)
@@ -112,7 +112,8 @@ invocation_journal_options(struct session *s, const char *format, ...)
 	xappend(&s->invocation->line, "%s", options);
 }
 
-/* True if the results of the command, or of its script, are redirected. */
+/* True if the results of the command, or of a script that it is in, are
+ * redirected. */
 static bool
 is_result_redirected(const struct invocation *t)
 {
@@ -127,8 +128,8 @@ was_stopped_without_result(const struct invocation *t)
 	return t->stopped && t->stopped_at == 0;
 }
 
-/* Saves a check that the files the command read are unchanged.  Commands with
- * digest= check the numbers themselves. */
+/* Adds lines that check that the files that the command read are unchanged.
+ * Commands with digest= check the numbers themselves. */
 static void
 record_digest_checks(
     struct session *s, const struct invocation *t, const char *latest)
@@ -146,8 +147,8 @@ record_digest_checks(
 	}
 }
 
-/* Saves the command's line.  Redirected results are not made again, only what
- * the command changed. */
+/* Adds the command's line to the journal.  If its results are redirected, a
+ * saved script does not write them, but repeats what the command changed. */
 static void
 record_line_in_journal(
     struct session *s, const struct invocation *t, bool changed)
@@ -155,7 +156,7 @@ record_line_in_journal(
 	bool elsewhere = is_result_redirected(t);
 	const char *latest =
 	    t->command->flags & COMMAND_KEEPS_LAST ? t->command->name : NULL;
-	/* Answers given during a calibration depend on the moment; settings do
+	/* Answers during a calibration depend on the moment, settings do
 	 * not. */
 	bool between = session_is_calibrating(s) && s->job.invocation != t &&
 		       (t->command->flags & COMMAND_SETTINGS) == 0;
@@ -179,8 +180,8 @@ invocation_journal_question(
 	autosave_after_command(s, true, false);
 }
 
-/* Returns the undo depth at which the outermost invocation began; SIZE_MAX if t
- * is itself the outermost. */
+/* Returns the number of undo steps when the outermost invocation began;
+ * SIZE_MAX if t is the outermost. */
 static size_t
 undo_depth_at_outermost(const struct invocation *t)
 {
@@ -236,7 +237,8 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	if (t->timed && s->set.timing)
 		session_note(s, "%s: %.3f s", t->command->name,
 		    session_clock() - t->started);
-	/* The commands of a script may already have given it a new number. */
+	/* If it ran a script, the commands there may have numbered the state
+	 * already. */
 	if (changed && !(t->command->flags & COMMAND_APPEARANCE) &&
 	    journal_current_place(s).state == t->state)
 		journal_number_new_state(s);

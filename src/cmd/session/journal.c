@@ -1,4 +1,4 @@
-/* Keeps the commands that succeeded, as lines that can be run again.
+/* Keeps the commands that succeeded as lines that can be run again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/journal.h"
 
@@ -16,7 +16,7 @@
 
 struct journal {
 	size_t n, start;
-	size_t state, states; /* the one it is in, of so many */
+	size_t state, states; /* the current state; how many there were */
 	char **line;
 };
 
@@ -59,7 +59,7 @@ void
 journal_put_back_lines(struct session *s, struct removed_lines *tail)
 {
 	struct journal *j = s->journal;
-	/* Lines may have been added since these were cut off. */
+	/* Lines may have been added since these were removed. */
 	if (tail->to.start != tail->from.start)
 		j->start = j->n + tail->to.start - tail->from.n;
 	j->state = tail->to.state;
@@ -92,7 +92,7 @@ journal_free(struct journal *j)
 	free(j);
 }
 
-/* True for "predict 74" and the name predict. */
+/* True for the line "predict 74" and the name predict. */
 static bool
 is_call_of(const char *line, const char *name)
 {
@@ -101,8 +101,8 @@ is_call_of(const char *line, const char *name)
 	       (line[n] == '\0' || line[n] == ' ');
 }
 
-/* Removes the last line if it is a call of that name, and the assert lines that
- * check its files. */
+/* Removes the last line if it is a call of the command `latest`, and the assert
+ * lines that check the files that it read. */
 static void
 remove_last_call_of(struct journal *j, const char *latest)
 {
@@ -151,7 +151,7 @@ journal_append_word(char **line, const char *word)
 	xappend(line, " %s", plain ? word : quoted);
 }
 
-/* Appends the path made absolute; links are not resolved. */
+/* Appends a path as an absolute one; does not resolve links. */
 static void
 append_absolute_path(char **word, const char *path)
 {
@@ -162,8 +162,8 @@ append_absolute_path(char **word, const char *path)
 	xappend(word, "%s%s%s", rooted ? "" : folder, rooted ? "" : "/", path);
 }
 
-/* Appends a path, as option `key` if not NULL; for a blend of feeds, each
- * path. */
+/* Appends a path, or each path of a blend of feeds, as option `key` unless that
+ * is NULL. */
 static void
 append_path_of_option(char **line, const char *key, const char *path)
 {
@@ -198,8 +198,8 @@ journal_add_file_check(
 		append_journal_line(j, line);
 }
 
-/* Returns the index of the option whose value is the word or its end, or
- * OPTIONS. */
+/* Returns the index of the option whose value is the word or the text after its
+ * "=", or OPTIONS. */
 static size_t
 find_option_with_value(const struct args *args, const char *word)
 {
@@ -212,7 +212,7 @@ find_option_with_value(const struct args *args, const char *word)
 	return i;
 }
 
-/* True if a word is an operand that is a path. */
+/* True if the word is an operand and a path. */
 static bool
 is_path_operand(const struct args *args, const char *word)
 {
@@ -232,8 +232,8 @@ is_path_operand(const struct args *args, const char *word)
 	       standards_is_file_path(word);
 }
 
-/* True for options that a saved script omits: pause=, which has its own line,
- * and out=, whose sheet exists by then. */
+/* True if a saved script leaves the option out: pause=, which is added at the
+ * end, and out=, because by then its sheet exists. */
 static bool
 is_option_not_saved(const struct command_option *o)
 {
@@ -315,8 +315,8 @@ journal_call_as_typed(const struct command *command, const struct words *words)
 	return label;
 }
 
-/* Writes the site's provenance for readers of the script, without characters
- * that would end or continue the comment. */
+/* Writes where the site's data are from, for readers of the script, without
+ * characters that would end or continue the comment. */
 static void
 write_script_provenance(FILE *out, const struct site *site)
 {

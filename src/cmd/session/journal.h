@@ -1,5 +1,4 @@
-/* The journal: the lines of a script that led to the session's state and
- * results.
+/* The journal: the script that leads to the session's state and results.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_JOURNAL_H
 #define TIPSPEED_CMD_SESSION_JOURNAL_H
@@ -12,15 +11,16 @@
 #include "cmd/session/session.h"
 #include "io/sitefile/site_request.h"
 
-/* A place in the journal.  start: the place after the last reset.  state:
- * number of the session's state at the place, which undo and redo restore. */
+/* A place in the journal. */
 struct mark {
+	/* n: the number of lines.  start: the same at the last reset.  state:
+	 * the number of the session's state, which undo and redo restore. */
 	size_t n, start, state;
 };
 
 struct mark journal_current_place(const struct session *s);
 
-/* Lines removed from the end of the journal, to be put back later. */
+/* Lines removed from the end of the journal, which may be put back later. */
 struct removed_lines {
 	size_t n;
 	char **line;
@@ -32,44 +32,46 @@ struct removed_lines journal_remove_lines_after(
 void journal_put_back_lines(struct session *s, struct removed_lines *tail);
 void removed_lines_free(struct removed_lines *tail);
 
-/* Adds a line.  latest: the name of a command whose line is replaced if it is
- * the last; or NULL. */
+/* Adds a line.  If the last line is a call of the command `latest`, it is
+ * replaced; latest may be NULL. */
 void journal_add_line(struct session *s, const char *latest, const char *line,
     ...) __attribute__((format(printf, 3, 4)));
 
-/* Adds, before the line of a command, a line that checks by digest that the
- * file to be read is unchanged.  latest: see journal_add_line. */
+/* Adds a line that checks by its digest that a file is still the same, to come
+ * before the line of the command that reads it.  latest: as for
+ * journal_add_line. */
 void journal_add_file_check(
     struct session *s, const char *latest, const char *path, uint64_t digest);
 
-/* Gives the session's state a new number. */
+/* Gives the state of the session a new number. */
 void journal_number_new_state(struct session *s);
 
-/* Discards all earlier lines, which are no longer part of the session. */
+/* Starts anew: the lines so far are no longer part of the session. */
 void journal_discard_all_lines(struct session *s);
 
-/* Adds lines for the options of the command line. */
+/* Adds lines for what the command line of the program has set. */
 void journal_add_settings(struct session *s);
 
 /* Appends " WORD" to a line, quoted if necessary. */
 void journal_append_word(char **line, const char *word);
 
-/* Returns the call as a line that means the same in any folder and script: full
- * name, absolute paths.  It omits pause=, which is added later with the actual
- * step at which the job stopped.  The caller frees it. */
+/* Returns the call as a line that means the same in any folder and script: with
+ * full name and absolute paths.  Leaves out pause=, which is added when the job
+ * stops, with the step at which it does.  The caller frees it. */
 char *journal_line_of_call(const struct args *args, const struct words *words);
 
 /* Returns "load FILE@SPEED.. digest=HEX" for what was read from n files.
- * speed: of the samples in each file, m/s, or 0; or NULL. */
+ * speed: of the samples in each file, m/s, or 0; NULL for none.  The caller
+ * frees it. */
 char *journal_load_line(
     uint64_t digest, size_t n, const char *const *path, const double *speed);
 
-/* Returns the options of a request as they are typed, " sheet=\"B\" top=16".
- * The caller frees it. */
+/* Returns the options of a request as one would type them, " sheet=\"B\"
+ * top=16".  The caller frees it. */
 char *journal_load_options_text(const struct site_request *request);
 
-/* Returns the call as typed, with the command's full name.  The caller frees
- * it. */
+/* Returns the call as typed, but with the full name of the command.  The caller
+ * frees it. */
 char *journal_call_as_typed(
     const struct command *command, const struct words *words);
 
@@ -77,7 +79,7 @@ char *journal_call_as_typed(
  * cannot contain. */
 bool journal_can_be_saved(const struct session *s, struct error *error);
 
-/* Prints the session as a script, without the heading. */
+/* Prints the session as a script, without its heading. */
 void journal_write_script(const struct session *s, FILE *out);
 
 struct journal *journal_new(void);

@@ -1,4 +1,4 @@
-/* The entry of a loaded site, and the origin of its parameters.
+/* The entry of a loaded site, and where its parameters are from.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/loaded.h"
 

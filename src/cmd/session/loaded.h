@@ -1,4 +1,4 @@
-/* A loaded site with its parameters, their origin and the results of a
+/* A loaded site with its parameters, where these are from, and the results of a
  * calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_LOADED_H
@@ -14,42 +14,45 @@
 #include "cmd/session/settings.h"
 #include "io/store/material.h"
 
-/* The results of a calibration: the fit, the generations [n] and bounds of
- * the search, and the site and training runs [n_run] that were fitted.
- * Computed on first use: the posterior and the evidence, indexed by the runs
- * that inform them (enum correction), and the products of the feed last
- * asked about. later: the runs added to the site since, and that with the
- * largest misfit; alarm: the state of their charts (control_chart.h).
- * Shared by the entries, snapshots and origins that refer to it. */
+/* The results of a calibration.  Shared by the entries, snapshots and origins
+ * that refer to it. */
 struct history {
+	/* holders: how many share it.  n: the number of generations. */
 	size_t holders, n;
+	/* What was found, the generations [n] and bounds of the search, and the
+	 * site and its training runs [n_run]. */
 	struct fit fit;
 	struct calibrate_generation *generation;
 	struct bounds bounds;
 	const struct site *site;
 	bool *train;
 	bool (*stop)(void);
-	struct posterior *posterior[2]; /* NULL: not drawn yet */
-	struct posterior_run *drawing;  /* for posterior[drawn], or NULL */
+	/* For each choice of the runs that inform it (enum correction); NULL
+	 * until it is needed. */
+	struct posterior *posterior[2];
+	struct posterior_run *drawing; /* for posterior[drawn], or NULL */
 	size_t drawn;
-	struct evidence *evidence[2];
-	double weight;          /* see calibration_sum_of_weights */
-	double noise, speed_sd; /* those of the draws, and their seed */
+	struct evidence *evidence[2]; /* likewise */
+	double weight;                /* see calibration_sum_of_weights */
+	double noise, speed_sd;       /* those of the draws, and their seed */
 	unsigned draw_seed;
+	/* The runs added to the site since, and the one of them that the
+	 * prediction misses by most, see cut_compare_runs_since_fit. */
 	struct later {
 		const struct site *site; /* NULL: not compared yet */
 		size_t n;
 		double rms, speed;
 		bool missed, off, twice;
 	} later;
+	/* The state of their control charts (control_chart.h). */
 	struct alarm {
 		const struct site *site; /* NULL: not charted yet */
 		const struct posterior *posterior;
 		enum drift_state state;
 	} alarm;
-	/* The ensembles for the mean of several feeds and for a run's own feed
-	 * or that of another sheet, so measured products can be moved from one
-	 * feed to the other. */
+	/* The products of the draws, for the mean of several feeds and for the
+	 * feed of a run or of another sheet: two, so that measured products can
+	 * be moved from one feed to the other. */
 	struct ensemble_of {
 		const struct posterior *posterior;
 		const struct site *site;
@@ -58,14 +61,14 @@ struct history {
 	} kept[2];
 };
 
-/* The origin of parameters.  Immutable, and shared by the entries and snapshots
- * that refer to it.  Unknown members are "", 0 or NULL. */
+/* Where parameters are from.  It does not change, and is shared by the entries
+ * and snapshots that refer to it.  What is not known is "", 0 or NULL. */
 struct origin {
 	size_t holders;
 	char *words;      /* "found by calibration", "taken from bro" */
 	char *from;       /* the site or material; "": this site */
-	char *material;   /* that was recalled from the store */
-	char *date;       /* when the material was remembered */
+	char *material;   /* the name in the store, if recalled from it */
+	char *date;       /* when that was remembered */
 	bool found;       /* by calibration, not set by hand */
 	uint64_t digest;  /* of the data on which they were found */
 	char *provenance; /* of these data */
@@ -74,41 +77,42 @@ struct origin {
 	struct history *history; /* the calibration, if in this session */
 };
 
-/* What a question assumes that differs from the measurements; see
- * cmd/ask/question.h.  own: the entry without these changes.  feed: that of
- * other sheets, or NULL; rock: its rock, or "".  rotor: m; 0: as measured.
- * bypass: share of the feed that bypasses the rotor; k: impacts; 0: as set.
- * correction: the runs that inform the answer.  sieve [n_sieve]: sieves to
- * show, m, coarsest first. */
+/* How the conditions that a question assumes differ from those measured; see
+ * cmd/ask/question.h. */
 struct blended;
 struct scenario {
+	/* The entry without these changes. */
 	const struct entry *own;
+	/* A feed from other sheets, or NULL, and its rock, or "". */
 	const struct blended *feed;
 	const char *rock;
+	/* rotor: its diameter, m; 0: as measured.  bypass: share of the feed
+	 * that bypasses the rotor.  k: the number of impacts; 0: as set. */
 	double rotor, bypass, k;
+	/* The runs that correct the model. */
 	enum correction correction;
+	/* The sieves to show, m [n_sieve], coarsest first. */
 	size_t n_sieve;
 	const double *sieve;
 };
 
-/* Lookup keys of a site: digests of its name (in the form used in keys), of its
- * path, and of its file when loaded, or 0 without a file. */
+/* Digests by which a site is looked up: of its name as keys have it, of its
+ * path, and of the file's device and inode when it was loaded; 0 without a
+ * file. */
 struct lookup_keys {
 	uint64_t name, path, file;
 };
 
-/* A loaded site with its answers.  key: its name in the session, "gavle/4".
- * train [site->n_run]: true for training runs.  remembered: the name under
- * which its fit was put into the store, or NULL.  new_cuts: how many cuts were
- * added since. */
+/* A loaded site, with its parameters. */
 struct entry {
 	struct lookup_keys lookup;
 	struct site *site;
-	char *key;
-	bool *train;
+	char *key;   /* its name in the session, "gavle/4" */
+	bool *train; /* [site->n_run]: which are training runs */
 	bool has_params, has_fit;
+	/* The name under which the store has its fit, or NULL. */
 	char *remembered;
-	size_t new_cuts;
+	size_t new_cuts;         /* added since then */
 	struct params params;    /* set by hand or found */
 	struct origin *origin;   /* of params; NULL: no params */
 	struct fit fit;          /* that found the parameters */
@@ -120,39 +124,40 @@ struct entry {
 /* Frees n entries and all that they own. */
 void entries_free(struct entry *entry, size_t n);
 
-/* Returns another entry for the same site, with copies of the members and a
- * share in the history. */
+/* Returns another entry for the same site.  It has copies of the members, and
+ * shares the history. */
 struct entry entry_copy(const struct entry *from);
 
 /* Frees what the entry owns. */
 void entry_clear(struct entry *entry);
 
-/* Returns the loaded entry on which an entry with a scenario is based. */
+/* Returns the loaded entry that an entry with a scenario was made from, or the
+ * entry itself. */
 const struct entry *entry_without_scenario(const struct entry *entry);
 
-/* Returns the diameter of the rotor that the entry's parameters were measured
- * with, m; 0: not known. */
+/* Returns the diameter of the rotor with which the products behind the entry's
+ * parameters were measured, m; 0 if it is not known. */
 double entry_rotor_of_params(const struct entry *entry);
 
 /* Returns a history, without generations and with one holder, for a calibration
- * that found the fit on the runs marked in train [n_run] within the bounds.
+ * that found the fit within the bounds, on the runs marked in train [n_run].
  * weight: see calibration_sum_of_weights.  Borrows the site. */
 struct history *history_new(const struct fit *fit, const struct bounds *bounds,
     double weight, const struct site *site, const bool *train);
 
-/* Releases a share in the history, which may be NULL. */
+/* Releases a share of the history, which may be NULL. */
 void history_release(struct history *history);
 
-/* Discards the draws; they will be redrawn with the errors and the seed that
- * are set. */
+/* Discards the draws.  They will be drawn again with the errors and the seed
+ * that are set. */
 void history_discard_draws(struct history *history, const struct settings *set);
 
 /* Discards what was computed for a site that is being removed. */
 void history_discard_for_site(struct history *history, const struct site *site);
 
-/* Return the origin of parameters: just found by the entry's fit; set by hand;
- * taken from another entry; a material in the store; the site's own fit, kept
- * in a material.  The caller owns a share. */
+/* Return the origin of parameters that the entry's fit just found, were set by
+ * hand, were taken from another entry, are from a material in the store, or are
+ * the site's own fit as kept in a material.  The caller owns a share. */
 struct origin *origin_of_fit(const struct entry *entry);
 struct origin *origin_new_by_hand(void);
 struct origin *origin_of_params_taken(const struct entry *from);
@@ -166,7 +171,7 @@ bool origin_is_from_store(const struct origin *origin);
 void origin_release(struct origin *origin); /* NULL is allowed */
 bool origin_is_same(const struct origin *a, const struct origin *b);
 
-/* Returns the origin of the entry's parameters in words: "set by hand". */
+/* Returns where the entry's parameters are from, in words: "set by hand". */
 const char *origin_source_text(const struct entry *entry);
 
 /* Returns the fit in this session, on any site, that found the entry's
@@ -177,8 +182,8 @@ const struct fit *origin_source_fit(const struct entry *entry);
 const char *origin_site_key(const struct entry *entry);
 
 /* Computes the slowest and fastest training speeds of the parameters or, if
- * unknown, the slowest and fastest speeds measured on the site.  Returns false
- * if neither are known. */
+ * these are not known, those of the site's runs that are marked for training.
+ * Returns false if there are neither. */
 bool origin_known_speed_range(
     const struct entry *entry, double *slowest, double *fastest);
 
@@ -189,18 +194,18 @@ bool origin_has_training_speeds(const struct entry *entry);
  * hand".  The caller frees it. */
 char *origin_training_text(const struct origin *origin);
 
-/* True if the parameters were calibrated on data other than the site's, which
- * deserves a warning. */
+/* True if the parameters are another site's and were not calibrated on the same
+ * data as this one's, which deserves a warning. */
 bool origin_is_other_site(const struct entry *entry);
 
 /* origin_params_from_sentence returns "parameters from tierp (..), not
  * calibrated on this site", or "" if they were found on it; the caller frees
- * it.  origin_note_in_answer adds it as a note for parameters from another site
- * or the store; the light reports parameters set by hand. */
+ * it.  origin_note_in_answer notes that for parameters from another site or the
+ * store; for parameters set by hand, the light does. */
 char *origin_params_from_sentence(const struct entry *entry);
 void origin_note_in_answer(struct answer *r, const struct entry *entry);
 
-/* Puts "params_from": {"origin", "trained_mps", "provenance"}. */
+/* Puts the object "params_from": "origin", "trained_mps" and "provenance". */
 void origin_put_fields(struct fields *o, const struct entry *entry);
 
 #endif

@@ -1,5 +1,5 @@
-/* Holds back a command's output until the command ends, so a command that fails
- * leaves the file unchanged.
+/* Holds back the output of a command until it ends, so that a command that
+ * fails leaves the file as it was.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/redirect.h"
 
@@ -24,24 +24,23 @@
 #include "io/formats/answer.h"
 #include "plot/picture.h"
 
-/* OUTPUT_ANSWERS: a sequence in one of ANSWER_FORMATS. OUTPUT_HTML, OUTPUT_PDF:
- * one document. */
 enum output_kind {
-	OUTPUT_ANSWERS,
+	OUTPUT_ANSWERS, /* one after the other, in one of ANSWER_FORMATS */
 	OUTPUT_BOOK,
 	OUTPUT_PICTURE,
-	OUTPUT_HTML,
-	OUTPUT_PDF
+	OUTPUT_HTML, /* one document */
+	OUTPUT_PDF   /* one document */
 };
 
-/* end: ending of the name; NULL: any other name, in the format that is set.
- * drawn: for commands that draw (COMMAND_DRAWS), otherwise for those that do
- * not.  format: of OUTPUT_ANSWERS. */
+/* A kind of file that results can go to. */
 struct output {
+	/* How the file's name ends; NULL: any other name, in the format that is
+	 * set. */
 	const char *end;
 	enum output_kind kind;
+	/* For commands that draw (COMMAND_DRAWS), otherwise for others. */
 	bool drawn;
-	int format;
+	int format; /* of OUTPUT_ANSWERS */
 };
 
 static const struct output OUTPUTS[] = {
@@ -53,10 +52,11 @@ static const struct output OUTPUTS[] = {
     {".pdf", OUTPUT_PICTURE, true, 0}, {".pdf", OUTPUT_PDF, false, 0},
     {NULL, OUTPUT_ANSWERS, false, -1}};
 
-/* Endings under which spreadsheet programs would report text as damaged. */
+/* Workbooks that we cannot write: a spreadsheet program would call our text in
+ * such a file damaged. */
 static const char *const OTHER_BOOKS[] = {".xls", ".xlsm", ".xlsb", ".ods"};
 
-/* Returns how to write the file named by the words, for the command. */
+/* Returns how to write the command's results to the file named in words. */
 static const struct output *
 find_output_format(const struct command *command, const struct words *words)
 {
@@ -70,8 +70,8 @@ find_output_format(const struct command *command, const struct words *words)
 	return o;
 }
 
-/* Sets the error for a workbook that cannot be written, with a line that
- * can. */
+/* Sets the error for a workbook that we cannot write, with a line that works.
+ * Returns false. */
 static bool
 set_error_no_workbook(const struct command *command, const struct words *words,
     struct error *error)
@@ -89,7 +89,8 @@ set_error_no_workbook(const struct command *command, const struct words *words,
 	return false;
 }
 
-/* Sets the error for an image from a command that does not draw. */
+/* Sets the error for an image from a command that does not draw.  Returns
+ * false. */
 static bool
 set_error_draws_nothing(
     const struct command *command, const char *target, struct error *error)
@@ -105,7 +106,8 @@ set_error_draws_nothing(
 	    command->name, target);
 }
 
-/* Sets the error for files to which nothing can be appended. */
+/* Sets the error for a kind of file to which nothing can be appended.  Returns
+ * false. */
 static bool
 set_error_cannot_append(
     enum output_kind kind, const char *target, struct error *error)
@@ -148,21 +150,22 @@ redirect_is_allowed(const struct command *command, const struct words *words,
 struct redirect {
 	enum target to;
 	char *target;
-	FILE *memory, *out; /* what is kept; where results went before */
+	FILE *memory, *out; /* collects results; where they went before */
 	char *text;
 	size_t n;
 	enum answer_format form, before;
-	struct screen screen; /* before, too */
+	struct screen screen; /* of the session before; likewise rows */
 	size_t rows;
 	enum output_kind kind;
-	struct book *book, *outer_book; /* a workbook, and that before */
-	struct document *document, *outer_document;
+	struct book *book, *outer_book; /* that collects results; before */
+	struct document *document, *outer_document; /* likewise */
 	const char *outer_file;
 	size_t pages; /* of a document on paper */
 	char *line;   /* the command */
 };
 
-/* Starts the workbook or document that collects the results, if any. */
+/* Opens the workbook or document that collects the results, if that is their
+ * kind. */
 static bool
 open_book_or_document(
     struct session *s, struct redirect *r, struct error *error)
@@ -224,8 +227,8 @@ redirect_open(struct session *s, const struct command *command,
 	return r;
 }
 
-/* Without a byte order mark Excel reads a file in the local character set and
- * garbles letters beyond ASCII. Only the beginning of a file gets one. */
+/* Without a byte order mark, Excel reads the file in the local character set
+ * and garbles letters beyond ASCII.  Only the beginning of a file gets one. */
 static void
 add_byte_order_mark(struct redirect *r)
 {
@@ -242,7 +245,8 @@ add_byte_order_mark(struct redirect *r)
 	r->n += 3;
 }
 
-/* Returns "12 rows" for a table, "24 lines" for other text. */
+/* Returns "12 rows" for a table, "24 lines" for other text.  The caller frees
+ * it. */
 static char *
 output_amount_text(const struct redirect *r, size_t rows)
 {
@@ -267,7 +271,7 @@ output_amount_text(const struct redirect *r, size_t rows)
 static bool
 write_output_file(struct session *s, struct redirect *r, struct error *error)
 {
-	/* The command may have read this file since redirect_open. */
+	/* The command may have read this file after redirect_open. */
 	if (!files_may_write(s, r->target, error))
 		return false;
 	bool whole = r->to == TO_FILE;
@@ -285,7 +289,7 @@ write_output_file(struct session *s, struct redirect *r, struct error *error)
 	return true;
 }
 
-/* Adds a sheet with the program, command, site and parameters. */
+/* Adds a sheet that states the program, command, site and parameters. */
 static void
 add_about_sheet(struct session *s, const struct redirect *r)
 {
@@ -315,7 +319,7 @@ add_about_sheet(struct session *s, const struct redirect *r)
 	}
 }
 
-/* Replaces the printed text by the workbook. */
+/* Puts the bytes of the workbook in place of the printed text. */
 static bool
 replace_text_by_workbook(
     struct session *s, struct redirect *r, struct error *error)
@@ -332,7 +336,7 @@ replace_text_by_workbook(
 	return r->text != NULL;
 }
 
-/* Replaces the printed text by the document. */
+/* Puts the bytes of the document in place of the printed text. */
 static bool
 replace_text_by_document(struct redirect *r, struct error *error)
 {
@@ -351,7 +355,8 @@ replace_text_by_document(struct redirect *r, struct error *error)
 				      r->target);
 }
 
-/* Reports how the shell command ended; passes on an interrupt. */
+/* Returns false with an error if the shell command failed.  If an interrupt
+ * ended it, passes that on. */
 static bool
 check_shell_status(const struct redirect *r, int status, struct error *error)
 {
@@ -369,8 +374,8 @@ check_shell_status(const struct redirect *r, int status, struct error *error)
 	return false;
 }
 
-/* If the reader closes the pipe early, only the writing ends.  ^C goes to the
- * shell command, as in a shell. */
+/* If the shell command stops reading early, only the writing ends.  ^C goes to
+ * it, as in a shell. */
 static bool
 write_to_shell_command(const struct redirect *r, struct error *error)
 {
@@ -381,8 +386,8 @@ write_to_shell_command(const struct redirect *r, struct error *error)
 	if (out == NULL)
 		return error_set(error, ERROR_SYSTEM, "cannot run '%s': %s",
 		    r->target, strerror(errno));
-	/* Nothing must remain buffered for pclose, or a failed write would hide
-	 * the command's exit status. */
+	/* Nothing must be left in a buffer for pclose, because a failed write
+	 * would hide the exit status of the command. */
 	setvbuf(out, NULL, _IONBF, 0);
 	sigaction(SIGPIPE, &ignore, &pipe);
 	sigaction(SIGINT, &ignore, &interrupt);
@@ -402,7 +407,7 @@ redirect_close(
 	s->document = r->outer_document;
 	s->screen = r->screen;
 	s->file = r->outer_file;
-	/* Not if the command itself has set the format. */
+	/* Unless the command itself has set the format. */
 	if (s->set.format == r->form)
 		s->set.format = r->before;
 	session_set_translation(s);

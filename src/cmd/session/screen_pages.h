@@ -5,10 +5,10 @@
 
 #include "base/tr.h"
 
-/* A row is a page: PAGE_FIT is its number, page_fit its operations, defined in
- * tui/pages/page_fit.c, and fit its name as a value of `set page`; its name in
- * the heading and its key follow.  Digits after 5 begin speeds, so that the key
- * of a further page is a letter which has no row in tui/keys.c. */
+/* Each row is a page: FIT as in PAGE_FIT; fit as in `set page fit` and
+ * page_fit, its operations in tui/pages/page_fit.c; its name in the heading;
+ * and its key.  Digits above 5 begin a speed, so the key of a further page must
+ * be a letter without a row in tui/keys.c. */
 #define SCREEN_PAGES(PAGE)                         \
 	PAGE(PREDICT, predict, N_("Predict"), '1') \
 	PAGE(FIT, fit, N_("Fit"), '2')             \

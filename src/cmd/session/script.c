@@ -16,9 +16,9 @@ struct script {
 	struct script *outer;
 	FILE *in;
 	bool borrowed;
-	char *name, *text; /* what in reads from, where it is no file */
+	char *name, *text; /* text: what `in` reads, unless it is a file */
 	int number;        /* of the last line read */
-	bool one_number;   /* all lines have it */
+	bool one_number;   /* all lines have this number */
 	struct script_place at;
 };
 
@@ -41,7 +41,7 @@ is_line_with_command(const char *line)
 	return *line != '\0' && *line != '#';
 }
 
-/* Returns the number of commands, or 0 if the stream cannot be read twice. */
+/* Returns the number of commands in a stream; 0 if it cannot be read twice. */
 static size_t
 count_script_commands(FILE *in)
 {
@@ -71,12 +71,11 @@ script_open(struct session *s, const char *path, struct error *error)
 	files_note_read(s, path);
 	const char *why;
 	FILE *in = textfile_open(path, &why);
-	if (in == NULL)
+	if (in == NULL) {
+		FREED char *hint = textfile_hint_if_unreadable(path);
 		return error_set(error, ERROR_SYSTEM,
-		    "cannot read script %s: %s\n"
-		    "check the name (quote names with spaces), the folder and "
-		    "its permissions",
-		    path, why);
+		    "cannot read script %s: %s\n%s", path, why, hint);
+	}
 	push_script(s, in, path)->at.of = count_script_commands(in);
 	return true;
 }
@@ -148,8 +147,8 @@ script_set_error_long_line(const char *name, int line, struct error *error)
 	    "is it a site file or a program? a script has one command a line");
 }
 
-/* Returns the next line with its continuations; NULL at the end or on an
- * error. */
+/* Returns the next line, joined with its continuations, and sets *first to its
+ * number.  NULL at the end or on an error.  The caller frees it. */
 static char *
 read_continued_line(struct script *script, int *first, struct error *error)
 {
@@ -163,7 +162,7 @@ read_continued_line(struct script *script, int *first, struct error *error)
 		script->number += !script->one_number;
 		good =
 		    check_script_is_text(script, line + from, n - from, error);
-		/* Some editors write a byte order mark first. */
+		/* Some editors begin a file with a byte order mark. */
 		if (!any && script->number == 1 &&
 		    strncmp(line, "\xEF\xBB\xBF", 3) == 0)
 			memmove(line, line + 3, n - 2);

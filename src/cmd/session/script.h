@@ -1,4 +1,4 @@
-/* The nested scripts that a session is reading.
+/* The scripts that a session is reading, one within the other.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_SCRIPT_H
 #define TIPSPEED_CMD_SESSION_SCRIPT_H
@@ -10,23 +10,23 @@
 #include "cmd/session/session.h"
 
 /* Open a script within the one being read; the driver reads it to its end.
- * script_open returns false if the file cannot be read or 16 scripts are open.
- * script_open_stream borrows the stream.  In script_open_text, all lines have
- * the number `line`. */
+ * script_open returns false with an error if the file cannot be read or 16
+ * scripts are open.  script_open_stream borrows the stream.  script_open_text
+ * reads lines that all have the number `line`. */
 bool script_open(struct session *s, const char *path, struct error *error);
 void script_open_stream(struct session *s, FILE *in, const char *name);
 void script_open_text(
     struct session *s, const char *text, const char *name, int line);
 
-/* Returns the next line of the innermost script, with continued lines joined;
- * the caller frees it.  At the end, closes the script and returns NULL; also
- * returns NULL, with an error, if the script cannot be read or is not text.
+/* Returns the next line of the innermost script, joined with its continuations;
+ * the caller frees it.  At the end, closes the script and returns NULL.
+ * Returns NULL with an error if the script cannot be read or is not text.
  * place is valid until the script is closed. */
 char *script_read_line(
     struct session *s, struct place *place, struct error *error);
 
-/* The position of the last line read in the innermost script: command `at` of
- * `of`; `of` is 0 if not known, as for a stream. */
+/* Where the innermost script is: its last line read was command `at` of `of`;
+ * `of` is 0 if that is not known, as for a stream. */
 struct script_place {
 	size_t at, of;
 };
@@ -35,14 +35,14 @@ struct script_place script_position(const struct session *s);
 /* Closes the innermost scripts until `depth` remain. */
 void script_close_to_depth(struct session *s, size_t depth);
 
-/* Sets the error of a line that is too long.  Returns false. */
+/* Sets the error for a line that is too long.  Returns false. */
 bool script_set_error_long_line(
     const char *name, int line, struct error *error);
 
-/* Returns true if the line is continued: before its end is \. */
+/* True if the line ends in \, so that the next one continues it. */
 bool script_line_continues(const char *line);
 
-/* Removes the end of a line; a \ before it becomes a space. */
+/* Removes the line break, and turns a \ before it into a space. */
 void script_remove_line_end(char *line);
 
 #endif

@@ -1,4 +1,4 @@
-/* Functions of the session that all commands need.
+/* What all commands need of the session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/session.h"
 
@@ -39,8 +39,8 @@ session_report_file_faults(const struct session *s, const char *path,
 	return false;
 }
 
-/* Exact results are printed unchanged to files and pipes, but escaped on a
- * terminal. */
+/* Results for programs are written unchanged to files and pipes, but escaped on
+ * a terminal. */
 static size_t
 print_answer_for_programs(struct session *s, const struct answer_form *form,
     const struct answer *answer)
@@ -59,7 +59,7 @@ print_answer_for_programs(struct session *s, const struct answer_form *form,
 	return rows;
 }
 
-/* Removes one of the answers kept. */
+/* Removes answer i of those kept. */
 static void
 forget_answer_at(struct session *s, size_t i)
 {

@@ -1,4 +1,4 @@
-/* A session: everything loaded, set and found so far.
+/* A session: all that was loaded, set and found so far.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_SESSION_H
 #define TIPSPEED_CMD_SESSION_SESSION_H
@@ -22,35 +22,35 @@ struct session;
 struct hooks {
 	/* Clears the progress display before a note or an answer; or NULL. */
 	void (*clear_progress)(void);
-	/* True if a long computation should end, because the user is waiting;
+	/* True if a long computation should end because the user is waiting;
 	 * NULL: never. */
 	bool (*stop)(void);
-	/* Called before a computation that takes a while, with a few words for
-	 * the user; NULL if not interactive. */
+	/* Says in a few words that a computation will take a while; NULL if not
+	 * interactive. */
 	void (*announce)(const char *what);
 	/* Shows a page of the manual; NULL without a terminal. */
 	bool (*show_manual_page)(const char *page);
 	/* Draws the full screen, see plot.h; NULL if not available. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
-	/* Runs the full screen until the user quits and returns an exit status;
-	 * NULL if not available. */
+	/* Runs the full screen until the user quits, and returns an exit
+	 * status; NULL if not available. */
 	int (*run_screen)(struct session *);
-	/* Asks the user yes or no.  yes: Return alone means yes at the prompt;
+	/* Asks the user yes or no.  yes: at the prompt, Return alone means yes;
 	 * the full screen waits for y.  NULL if not interactive. */
 	bool (*confirm)(struct session *s, const char *question, bool yes);
-	/* Asks the user for a line about a sheet, which the caller frees;
+	/* Asks the user for a line about a sheet, which the caller frees, and
 	 * returns NULL if the user gives up.  NULL if not interactive. */
 	char *(*ask)(struct session *s, const struct user_question *inquiry);
 };
 
-/* Work in progress: a calibration, or several tasks in succession.  The driver
- * calls session_step_job until session_is_calibrating is false. */
+/* Work in progress: a calibration, or several tasks in turn.  The driver calls
+ * session_step_job until session_is_calibrating is false. */
 struct job {
 	const struct job_type *type; /* see job.h */
 	void *of;                    /* accumulator, owned by the job type */
-	void *found;                 /* returned by type->follow; owned */
-	struct calibration *calibration; /* NULL if the task is none */
+	void *found;                 /* what type->follow returned; owned */
+	struct calibration *calibration; /* NULL: another kind of task */
 	struct calibration *lowest; /* reference for a plain search, or NULL */
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
@@ -64,37 +64,39 @@ struct job {
 	bool paused;        /* stopped by ^C; `continue` resumes it */
 	bool held_back;     /* the site's parameters were better and were
 			     * kept */
-	bool gave;          /* gave the site `given` when last stopped */
+	size_t undo_steps;  /* that could be undone when it was paused */
+	bool gave;          /* the site got `given` at the last stop */
 	bool taken;         /* its fit is in the site; draws follow */
-	bool newest;        /* paused, and undo would start with it */
+	bool newest;        /* paused, and next to be undone */
 	bool apart;         /* tasks can be calibrated in parallel */
 	size_t step;        /* counted over all tasks */
 	size_t pause_at;    /* step to stop after; 0: none */
 	double *run_weight; /* [n_run] of the site, or NULL */
 	struct params given;
 	double before; /* misfit of the site's former parameters, or INFINITY */
-	/* The former calibration's answer: a quantity's value at a speed, m/s;
-	 * 0: there was none. */
+	/* The answer of the former calibration: the value of a quantity at a
+	 * speed, m/s; 0 if there was none. */
 	struct former {
 		double speed, value;
 		struct quantity of;
 	} former;
 };
 
-/* What was last asked about: a speed, m/s, or 0 before the first question, and
- * a quantity, if one was named.  found_by: the command that found the speed, or
- * NULL for one that the user named. */
 struct last_asked {
+	/* In m/s; 0 before the first question. */
 	double speed;
+	/* The command that found the speed; NULL if the user named it. */
 	const char *found_by;
+	/* The quantity, if one was named. */
 	bool named;
 	struct quantity of;
 };
 
-/* The terminal on which results are printed.  columns: 0 if not a terminal;
- * colours: 0 (none), 8, 16 or 256; drawing: it can show more than ASCII. */
+/* The terminal on which results are printed. */
 struct screen {
+	/* columns: 0 if not a terminal.  colours: 0 (none), 8, 16 or 256. */
 	int columns, rows, colours;
+	/* It can show more than ASCII. */
 	bool drawing;
 };
 
@@ -116,8 +118,8 @@ struct session {
 	struct entry *entry;
 	struct settings set;
 	bool prompt;        /* a user types the lines */
-	size_t typed_depth; /* number of open scripts when lines are typed */
-	enum isa isa;       /* highest set that calibrations may use */
+	size_t typed_depth; /* open scripts while the user types */
+	enum isa isa;       /* best that calibrations may use */
 	bool safe;          /* no command or key may use files or the shell */
 	bool linear;        /* for a screen reader: words, no pictures */
 	FILE *out;          /* results */
@@ -143,19 +145,19 @@ struct session {
 	struct spec **specs;          /* all so far */
 	struct last_asked last_asked; /* see session_keep_last_asked */
 	struct moved *moved;          /* see moved.h */
-	struct blended *fed;          /* feed from the sheets in `set feed`, see
-			      * blended.h, or NULL */
+	/* The feed from the sheets in `set feed`, or NULL. */
+	struct blended *fed;
 	/* See question_site_with_feed_setting; or NULL. */
 	struct site_with_feed *site_with_feed;
 	const struct pin *pin; /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* all so far */
-	const struct energies *energy; /* shown, or NULL */
+	const struct energies *energy; /* for commands, or NULL */
 	size_t n_energies;
 	struct energies **energies; /* all so far */
-	struct settings *initial;   /* as set by the command line, for reset */
+	struct settings *initial;   /* what the command line set, for reset */
 	struct journal *journal;
-	struct autosave *autosave; /* autosave, see autosave.h; NULL: off */
+	struct autosave *autosave; /* see autosave.h; NULL: off */
 	struct undo *undo;
 	struct script *script;         /* being read, innermost first */
 	size_t scripts;                /* number of scripts */
@@ -166,68 +168,69 @@ struct session {
 	bool quit;
 };
 
-/* Returns the current site; asserts that there is one. */
+/* Returns the current site; there must be one. */
 struct entry *session_current_entry(struct session *s);
 
-/* Returns false, with an error that says what to do next, if no site is loaded.
- * what: the command that needs one. */
+/* Returns false if no site is loaded; the error says what to do next.  what:
+ * the command that needs one. */
 bool session_require_site(
     const struct session *s, const char *what, struct error *error);
 
-/* Discards the answers kept, because the site or its parameters have
+/* Discards the answers that were kept, because the site or its parameters have
  * changed. */
 void session_forget_answers(struct session *s);
 
-/* Reports the faults of a file in order: prints all but the last to notes and
- * makes the last the error.  If reading was interrupted, reports only that.
- * Returns false. */
+/* Prints the faults of a file to notes, in order, except for the last, which
+ * becomes the error.  If reading was interrupted, says only that.  Returns
+ * false. */
 bool session_report_file_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
-/* Prints an answer in the chosen format and keeps it.  Returns true, so that a
- * command can end with it. */
+/* Prints an answer in the format that is set, and keeps it.  Returns true, so
+ * that a command can end with this. */
 bool session_show_answer(struct session *s, struct answer *answer);
 
-/* Keeps an answer as the newest of its command and takes ownership of it.
- * Frees an answer without fields, from which nothing could be read. */
+/* Takes ownership of an answer and keeps it as the newest of its command.  One
+ * without fields is freed, because nothing could be read from it. */
 void session_keep_newest_answer(struct session *s, struct answer *answer);
 
 /* Returns the number in a field (see answer_find_number) of the newest answer
- * that has it and is from one of the commands, which are separated by spaces,
- * or NAN. */
+ * that has this field and is from one of the commands, which are separated by
+ * spaces; NAN if there is none. */
 double session_answer_number(
     const struct session *s, const char *commands, const char *path);
 
-/* Turns translation on, or off if results are for programs.  Call it after each
- * change of the results' format. */
+/* Switches translation on, or off if results are for programs.  Call it after
+ * each change of the results' format. */
 void session_set_translation(const struct session *s);
 
 /* Prints a line to notes. */
 void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* True if a job is in progress and not stopped. */
+/* True if a job is in progress and not paused. */
 bool session_is_calibrating(const struct session *s);
 
-/* Returns the site that will receive the fit of the calibration in progress, or
+/* Returns the site that will get the fit of the calibration in progress, or
  * NULL. */
 const struct entry *session_entry_being_fitted(const struct session *s);
 
-/* Returns the time on a monotonic clock, in seconds. */
+/* Returns the time of a monotonic clock, s. */
 double session_clock(void);
 
-/* Returns the label of a site for people: "Tierp, Granite, 11.2 mm". */
+/* Returns the label of a site for people: "Tierp, Granite, 11.2 mm".  The
+ * caller frees it. */
 char *session_site_label(const struct site *site);
 
-/* Returns "69, 79 (2 runs)": the speeds of the runs with a product whose mark
- * [n_run] equals `marked`, or of all if mark is NULL.  between: the separator.
- * The caller frees it. */
+/* Returns "69, 79 (2 runs)": the speeds of the runs that have a product and
+ * whose mark [n_run] equals `marked`; of all that have one if mark is NULL.
+ * between: the separator.  The caller frees it. */
 char *session_run_speeds_text(const struct site *site, const char *between,
     const bool *mark, bool marked);
 
-/* Returns these speeds in rpm, "1569, 1796", or as session_run_rpm_in_brackets
- * to follow m/s in a sentence, " (1569, 1796 rpm)"; "" unless the site states
- * the rotor.  The caller frees it. */
+/* Return these speeds in rpm: "1569, 1796" or, to follow m/s in a sentence, "
+ * (1569, 1796 rpm)"; "" unless the site states its rotor.  The caller frees
+ * them. */
 char *session_run_rpm_text(const struct site *site, const char *between,
     const bool *mark, bool marked);
 char *session_run_rpm_in_brackets(

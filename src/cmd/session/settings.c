@@ -1,5 +1,5 @@
-/* Reads and writes the values of settings, as described by the rows of
- * SETTINGS.
+/* Stores and returns the values of settings, as the rows of SETTINGS describe
+ * them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "cmd/session/settings.h"
@@ -26,7 +26,7 @@ settings_set_value(const struct command_option *row, const struct value *value,
 		snprintf(place, SETTINGS_TEXT, "%s", none ? "" : value->text);
 	} else if (row->kind == VALUE_NUMBERS) {
 		double *end = place;
-		/* Its steps may not reach the end of a range. */
+		/* The steps of a range may not reach its end. */
 		const char *dots = strstr(value->text, "..");
 		end[0] = value->n > 0 ? value->list[0] : 0;
 		end[1] = value->n == 0  ? 0
@@ -67,8 +67,8 @@ settings_value_text(
 	return xstrndup(word, strcspn(word, " "));
 }
 
-/* Returns OMP_NUM_THREADS, or else the number of processors that this process
- * may use: a job system may assign fewer than the machine has. */
+/* Returns OMP_NUM_THREADS or, without it, the number of processors that this
+ * process may use, which may be fewer than the machine has. */
 static unsigned
 default_thread_count(void)
 {

@@ -1,5 +1,6 @@
-/* Settings: each has a row in SETTINGS, which describes it and where its value
- * is kept; set, undo, save, reset and help use these rows.
+/* The settings.  Each has a row in SETTINGS, which describes it and says in
+ * which member its value is kept; set, undo, save, reset and help use these
+ * rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_SETTINGS_H
 #define TIPSPEED_CMD_SESSION_SETTINGS_H
@@ -9,20 +10,20 @@
 #include "core/psd/site.h"
 #include "io/formats/answer.h"
 
-/* The runs that inform an answer in addition to the parameters (D13): all
- * measured runs, the training runs, or none. */
+/* Which runs correct the model in an answer (D13): all measured runs, the
+ * training runs, or none. */
 enum correction { CORRECTION_ALL, CORRECTION_TRAIN, CORRECTION_OFF };
 
-/* The size of a setting's text, and the text that means no value. */
+/* The size of a text setting, and the text that stands for no value. */
 enum { SETTINGS_TEXT = 200 };
 #define SETTINGS_NONE "none"
 
-/* Values that are set rather than loaded: by bounds, seed, timing and the
- * SETTINGS. */
+/* What is set rather than loaded: the settings, bounds, seed and timing. */
 struct settings {
 	struct model_settings model;
-	const char *energy; /* source file of model.impacts, borrowed; NULL: a
-single impact */
+	/* The file that model.impacts are from, borrowed; NULL: a single
+	 * impact. */
+	const char *energy;
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
@@ -42,31 +43,31 @@ single impact */
 	/* Ends of the range of speeds, m/s; 0: as given by
 	 * site_default_speed_range. */
 	double slider[2];
-	char feed[SETTINGS_TEXT]; /* for answers, as in feed=: "mean" or
-				  * another */
+	char feed[SETTINGS_TEXT]; /* as in feed=: "mean" or another */
 	unsigned page;            /* open page of the full screen */
 };
 
-/* Returns the choices of a new session. */
+/* Returns the settings of a new session. */
 struct settings settings_default(void);
 
-/* True if the choices are equal, including bounds, seed and timing but not the
- * appearance of the full screen. */
+/* True if the settings, bounds, seed and timing are equal; ignores the look of
+ * the full screen. */
 bool settings_are_equal(const struct settings *a, const struct settings *b);
 
 /* Returns the probability of bands, 0..1. */
 double settings_band_probability(const struct settings *set);
 
-/* Computes the default range of speeds, m/s, of commands: as set, else from
- * site_default_speed_range.  site may be NULL. */
+/* Computes the range of speeds, m/s, that commands use by default: as set, or
+ * else that of site_default_speed_range.  site may be NULL. */
 void settings_default_speed_range(const struct settings *set,
     const struct site *site, double *from, double *to);
 
-/* Stores a value given to `set`. */
+/* Stores the value that `set` was given for a row. */
 void settings_set_value(const struct command_option *row,
     const struct value *value, struct settings *set);
 
-/* Returns the value as typed after `set`.  The caller frees it. */
+/* Returns the value of a row as one would type it after `set`.  The caller
+ * frees it. */
 char *settings_value_text(
     const struct command_option *row, const struct settings *set);
 

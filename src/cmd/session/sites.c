@@ -20,7 +20,7 @@ digest_of_text(const char *text)
 	return text_fnv1a_digest(TEXT_DIGEST_START, text, strlen(text));
 }
 
-/* True if the key is in use.  Only sites of that name can have it. */
+/* True if the key is in use.  Only sites with that name can have it. */
 static bool
 is_site_key_taken(const struct session *s, uint64_t name, const char *key)
 {
@@ -37,7 +37,7 @@ key_with_top_size(const char *slug, const struct site *site)
 	return xasprintf("%s/%g", slug, units_mm(site->top_size));
 }
 
-/* Returns a name in the form used in keys.  The caller frees it. */
+/* Returns a name in the form that keys have.  The caller frees it. */
 static char *
 name_slug(const char *name)
 {
@@ -48,9 +48,9 @@ name_slug(const char *name)
 	return xstrdup("unnamed");
 }
 
-/* Returns a new key: "tierp"; with the size, "gavle/11.2", if several sites
- * have the name; and with a number, "gavle/11.2/2", if several also have the
- * size. */
+/* Returns a new key: "tierp"; with the size, "gavle/11.2", if other sites have
+ * the name; and with a number, "gavle/11.2/2", if one of them also has the
+ * size.  The caller frees it. */
 static char *
 new_key_of_site(struct session *s, const struct site *site)
 {
@@ -132,9 +132,9 @@ insert_site_entry(struct session *s, struct site *site, size_t place)
 	session_adopt_unloaded_site(s, site);
 }
 
-/* Finds the site that was read from the same file, by its path or under another
- * name of the file; n_entry if none was.  Asking the system about each site
- * would take longer than reading the files if there are many. */
+/* Finds the site that was read from the same file, by its path or by another
+ * name of the file; n_entry if there is none.  Compares digests first: if there
+ * are many sites, stat on each would take longer than reading the files. */
 static size_t
 find_site_of_file(const struct session *s, const struct site *site)
 {
@@ -212,8 +212,8 @@ session_replace_by_mended(struct session *s, size_t index, struct site *site)
 	return own;
 }
 
-/* The runs that a fit was trained on remain training runs.  Without a fit they
- * are chosen again. */
+/* Runs that a fit was trained on remain training runs.  Without a fit, the
+ * training runs are chosen anew. */
 void
 session_replace_by_extended(
     struct session *s, struct site *site, const size_t *from)
@@ -233,7 +233,8 @@ session_replace_by_extended(
 	session_adopt_unloaded_site(s, site);
 }
 
-/* As name_slug, with '-' for '_': the name as typed from memory. */
+/* As name_slug, with '-' for '_': the name as typed from memory.  The caller
+ * frees it. */
 static char *
 slug_of_typed_name(const char *name)
 {
@@ -243,8 +244,8 @@ slug_of_typed_name(const char *name)
 	return slug;
 }
 
-/* Returns how well a site matches a name: 0 not at all, 1 its name, 2 name and
- * top size, 3 its key. */
+/* Returns how well a site matches a name: 0 not at all, 1 by its name, 2 by
+ * name and top size, 3 by its key. */
 static int
 site_name_match_grade(const struct entry *entry, const char *wanted)
 {
@@ -264,7 +265,8 @@ site_name_match_grade(const struct entry *entry, const char *wanted)
 	return match;
 }
 
-/* Returns "gavle/4, gavle/11.2": the sites that match, or all for NULL. */
+/* Returns "gavle/4, gavle/11.2": the keys of the sites that match, or of all if
+ * `wanted` is NULL.  The caller frees it. */
 static char *
 matching_site_keys_text(const struct session *s, const char *wanted)
 {

@@ -1,4 +1,4 @@
-/* Commands about the session itself, as rows of the command table.
+/* Commands about the session, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"

@@ -1,5 +1,5 @@
-/* An undo step holds the session before it and, once undone, after it, with the
- * journal's lines in between.
+/* An undo step holds the session before it; once undone, also the session after
+ * it and the lines of the journal in between.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/undo.h"
 
@@ -11,8 +11,8 @@
 
 enum { STEPS = 200 };
 
-/* Borrows sites, logs, envelopes, pins and energies, which the session keeps
- * until it ends. */
+/* Borrows the sites, logs, envelopes, pins and energies, which the session
+ * keeps until it ends. */
 struct snapshot {
 	struct mark mark;
 	size_t n_entry, current;
@@ -58,7 +58,7 @@ snapshot_free(struct snapshot *snapshot)
 	free(snapshot);
 }
 
-/* Restores the session and discards the answers kept. */
+/* Restores the session, and discards the answers that it kept. */
 static void
 restore_snapshot(struct session *s, const struct snapshot *snapshot)
 {
@@ -113,11 +113,11 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 
 struct step {
 	char *label;
-	struct snapshot *before, *after; /* after: of undone steps */
+	struct snapshot *before, *after; /* after: only of undone steps */
 	struct removed_lines tail;       /* likewise */
 };
 
-/* The first `done` of the n steps can be undone, the others redone. */
+/* The first `done` steps can be undone, the others redone. */
 struct undo {
 	size_t n, done;
 	struct step step[2 * STEPS]; /* the upper half is for scripts */
@@ -166,7 +166,7 @@ undo_push_step(struct session *s, struct snapshot *before, size_t depth,
 	remove_undo_steps_after(undo, depth < undo->done ? depth : undo->done);
 	bool inner = floor != SIZE_MAX;
 	if (undo->n >= (inner ? 2 * STEPS : STEPS)) {
-		/* A script that draws many screens can fill both halves. */
+		/* A script that draws many screens may fill both halves. */
 		size_t oldest = inner && floor < undo->n ? floor : 0;
 		undo_step_free(&undo->step[oldest]);
 		undo->n--;

@@ -1,4 +1,4 @@
-/* Undo and redo, and the snapshots they restore.
+/* Undo and redo, and the snapshots that they restore.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_SESSION_UNDO_H
 #define TIPSPEED_CMD_SESSION_UNDO_H
@@ -9,8 +9,8 @@
 #include "cmd/session/journal.h"
 #include "cmd/session/session.h"
 
-/* The part of a session that undo can restore, and the place in the journal, at
- * one moment. */
+/* What undo can restore of a session, and the place in the journal, at one
+ * moment. */
 struct snapshot;
 
 struct snapshot *snapshot_take(const struct session *s);
@@ -28,16 +28,16 @@ bool fits_are_equal(const struct fit *a, const struct fit *b);
 /* Returns the number of steps that can be undone. */
 size_t undo_count_steps(const struct session *s);
 
-/* Adds an undo step back to `before`, of which it takes ownership.  Steps
+/* Adds a step that undoes back to `before`, of which it takes ownership.  Steps
  * beyond `depth`, made by the command's own script, become part of it; steps
  * that could be redone are dropped.  floor: the depth before the outermost
- * script, whose steps do not displace older ones; SIZE_MAX outside scripts. */
+ * script, whose steps do not push out older ones; SIZE_MAX outside scripts. */
 void undo_push_step(struct session *s, struct snapshot *before, size_t depth,
     size_t floor, const char *label);
 
-/* undo_last_step restores the session before the last step; undo_redo_step that
- * before the last undo.  They return the step's label, or NULL if there is
- * none. */
+/* undo_last_step restores the session as it was before the last step,
+ * undo_redo_step as it was before the last undo.  Both return the label of the
+ * step, or NULL if there is none. */
 const char *undo_last_step(struct session *s);
 const char *undo_redo_step(struct session *s);
 

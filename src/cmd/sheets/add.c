@@ -26,8 +26,9 @@
 #include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 
-/* What is known about each file [n] besides its numbers: its word as load takes
- * it, its time as text, or "", and what the log says. */
+/* The files [n] of a call.  word: as load takes it; file: its name without
+ * folders; when: the time of the cut as text, or ""; logged: the log's values
+ * at that time. */
 struct origins {
 	size_t n;
 	struct cut_origin {
@@ -47,16 +48,17 @@ free_cut_origins(struct origins *o)
 	free(o->file);
 }
 
-/* order: how dates are read that leave it open; why: how that is known, for
- * people, or NULL.  now: it follows from today's date. */
+/* How ambiguous dates, such as 5/11/2026, are read.  order: of day and month;
+ * why: what shows that order, in words, or NULL; now: only today's date shows
+ * it. */
 struct cut_day {
 	enum datetime_order order;
 	const char *why;
 	bool now;
 };
 
-/* Returns a moment as "2026-05-03" or "2026-05-03 10:15", or NULL if the order
- * leaves it open.  The caller frees it. */
+/* Returns a moment as "2026-05-03" or "2026-05-03 10:15", or NULL if its date
+ * is ambiguous and the order open.  The caller frees it. */
 static char *
 cut_moment_text(const struct datetime *m, enum datetime_order order)
 {
@@ -69,8 +71,8 @@ cut_moment_text(const struct datetime *m, enum datetime_order order)
 	return text;
 }
 
-/* Returns the order in which none of the open dates is after today, if there
- * are any after today in the other. */
+/* Returns the order that gives no date in the future, if the other order gives
+ * one; otherwise DATETIME_OPEN. */
 static enum datetime_order
 date_order_by_today(const struct site *cuts)
 {
@@ -93,9 +95,9 @@ date_order_by_today(const struct site *cuts)
 	return after[0] ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
 }
 
-/* Finds the order of day and month in the dates of cuts: as dates= says it,
- * else as their other dates show it, else those of the site that they are added
- * to, else today, which no cut is taken after. */
+/* Finds the order of day and month in the dates of cuts: from dates=, else from
+ * their other dates, else from the dates of the site to which they are added,
+ * else from today's date, after which no cut was taken. */
 static struct cut_day
 cut_day_find_date_order(
     const struct args *args, const struct site *cuts, const struct site *site)
@@ -130,8 +132,8 @@ datetime_as_word(const struct datetime *m, enum datetime_order order)
 	return text;
 }
 
-/* Sets an error if the order leaves open which day is meant.  before: what
- * stands before the date in the call. */
+/* Sets an error if the date is ambiguous and the order open.  before: what is
+ * before the date in the call. */
 static bool
 check_date_unambiguous(const struct datetime *m, const char *text,
     const char *before, enum datetime_order order, struct error *error)
@@ -145,7 +147,8 @@ check_date_unambiguous(const struct datetime *m, const char *text,
 		   text, before, day, before, month);
 }
 
-/* Reads a date; order: of one such as 5/11/2026. */
+/* Sets *day to the start of the day of a date, or to NAN if date is NULL.
+ * order: for an ambiguous date. */
 static bool
 parse_cut_date(const char *date, enum datetime_order order, double *day,
     struct error *error)
@@ -163,7 +166,8 @@ parse_cut_date(const char *date, enum datetime_order order, double *day,
 	return check_date_unambiguous(&m, date, "date=", order, error);
 }
 
-/* Reads the time after @, on the day of date= if it states none. */
+/* Reads the time after @. day: the day of date= for a time without a date, or
+ * NAN. */
 static bool
 parse_cut_time(const char *text, enum datetime_order order, double day,
     double *time, struct error *error)
@@ -202,8 +206,9 @@ find_at_sign_of_speed(const char *word)
 	return name ? NULL : at;
 }
 
-/* Looks up the time of "cut.csv@2026-05-03T10:15" in the log:
- * "cut.csv@64.2". */
+/* Fills in *o for a word of the call.  A time, as in
+ * "cut.csv@2026-05-03T10:15", is looked up in the log and replaced with the
+ * speed then: "cut.csv@64.2". */
 static bool
 look_up_cut_time_in_log(struct session *s, const struct args *args,
     const char *word, double day, double rotor, struct cut_origin *o,
@@ -233,8 +238,8 @@ look_up_cut_time_in_log(struct session *s, const struct args *args,
 	return true;
 }
 
-/* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv": what a site keeps about
- * a cut.  The fit of power to speed and feed rate reads it again. */
+/* Returns what a site keeps about a cut, which the fit of power to speed and
+ * feed rate reads: "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv". */
 static char *
 cut_note_text(double speed, const struct cut_origin *o)
 {
@@ -250,7 +255,8 @@ cut_note_text(double speed, const struct cut_origin *o)
 	return text;
 }
 
-/* Returns a note with its date, if that is an open one, as year, month, day. */
+/* Returns the text of a note, with an ambiguous date written as year, month,
+ * day. */
 static char *
 site_note_with_iso_date(const struct site_note *note, enum datetime_order order)
 {
@@ -264,8 +270,8 @@ site_note_with_iso_date(const struct site_note *note, enum datetime_order order)
 				 note->value, day, at + strcspn(at, ","));
 }
 
-/* The note of a run.  A sheet may state in its header when its cuts were taken:
- * then that, with the file. */
+/* Returns the note of a run.  If its sheet has one and no other time is known,
+ * it is that note, with the file added. */
 static char *
 cut_note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
     enum datetime_order order)
@@ -279,8 +285,9 @@ cut_note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
 	    "%s%s%s", words, named ? "" : ", ", named ? "" : o->file);
 }
 
-/* Takes the only date of the sheet's header for a file in which the reader
- * found no day of its cuts, because the order of the date is open. */
+/* If the sheet's header has a single date, which the reader did not take as the
+ * day of the cuts because it is ambiguous, takes it as the day of the only
+ * file. */
 static void
 use_date_of_header(
     const struct site *cuts, enum datetime_order order, struct origins *all)
@@ -302,8 +309,7 @@ use_date_of_header(
 		xreplace(&all->file[0].when, day);
 }
 
-/* Says how the first date was read that leaves open which number is the day, or
- * that it was not. */
+/* Says how the first ambiguous date was read, or that it was not read. */
 static void
 note_ambiguous_date(struct session *s, const struct site *cuts,
     const struct cut_day *how, const struct origins *all)
@@ -342,8 +348,8 @@ note_ambiguous_date(struct session *s, const struct site *cuts,
 		    s, " dates=%s-first", day_first ? "day" : "month");
 }
 
-/* Returns the file that a cut is from: the only one, or the one with its
- * speed. */
+/* Returns the file of a cut: the only one, or the one with its speed; or
+ * NULL. */
 static const struct cut_origin *
 find_file_of_cut(const struct origins *all, double speed)
 {
@@ -398,7 +404,7 @@ warn_of_duplicate_cuts(
 	}
 }
 
-/* Names the feed of cuts that came without one, where feeds vary. */
+/* If the site's feeds differ, names the one used for cuts without a feed. */
 static void
 note_feed_of_cuts(
     struct session *s, const struct site *site, const struct site *cuts)
@@ -411,11 +417,11 @@ note_feed_of_cuts(
 		session_note(s, "  feed: %s", words);
 }
 
-/* How well the prediction meets the new cuts, from best to worst. */
+/* How well the prediction matches the new cuts, from best to worst. */
 enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
 
-/* Returns the passing that predict says first at the speed of a cut, or, if the
- * cut was not sieved so fine, that of its own sieves. */
+/* Returns the passing of predict's first sentence at the speed of a cut or, if
+ * the cut was not sieved so fine, a passing that its sieves reach. */
 static struct quantity
 passing_that_predict_says(
     const struct session *s, const struct entry *entry, size_t run)
@@ -474,7 +480,8 @@ compare_cut_and_note(struct session *s, size_t run)
 		       "model"),
 		    reach);
 	}
-	/* Fewer inside than chance and shared errors make likely. */
+	/* Fewer passings are in the band than chance and shared errors make
+	 * likely. */
 	bool nearly = !cut.no_band && 4 * cut.inside < 3 * cut.n;
 	session_note(s,
 	    cut.off      ? N_("  not quite as expected: %s; %s")
@@ -485,8 +492,9 @@ compare_cut_and_note(struct session *s, size_t run)
 	return cut.off ? CUTS_OFF : cut.missed ? CUTS_MISSED : CUTS_MET;
 }
 
-/* Compares each new run, or counts them if there are many; from: see
- * site_copy_with_cuts.  Returns the worst verdict. */
+/* Compares each new run with its prediction and notes the result or, if there
+ * are many, how many are missed.  from: see site_copy_with_cuts.  Returns the
+ * worst verdict. */
 static enum verdict
 compare_cuts_and_note(
     struct session *s, const struct site *old, const size_t *from, size_t n)
@@ -532,8 +540,8 @@ note_speeds_of_products(struct session *s)
 	    s, "  %s has products at %s m/s%s", entry->key, speeds, rpm);
 }
 
-/* Suggests what to do after n cuts have been compared: of a calibrated site, as
- * next_step does, after all cuts since its calibration. */
+/* Suggests what to do after n cuts were compared.  For a calibrated site it
+ * judges all cuts since its calibration, as next_step does. */
 static void
 suggest_step_after_cuts(struct session *s, enum verdict worst, size_t n)
 {
@@ -582,7 +590,8 @@ check_site_digest(const struct site *site, const char *digest,
 	return good;
 }
 
-/* In the order of the sheet, which drift follows for cuts without a date. */
+/* Adds the notes about the cuts, in the order of the sheet, which drift follows
+ * for cuts without a date. */
 static void
 add_cut_notes_to_site(struct session *s, struct site *site,
     const struct site *cuts, const struct origins *all,
@@ -608,8 +617,8 @@ add_cut_notes_to_site(struct session *s, struct site *site,
 	}
 }
 
-/* Where the data are known by the day of their sheet alone, adds the day of the
- * last cut: "sheet of 2026-11-02, cuts to 2026-11-19". */
+/* If the provenance begins with the day of the sheet, adds the day of the last
+ * cut: "sheet of 2026-11-02, cuts to 2026-11-19". */
 static void
 note_days_in_provenance(struct site *site)
 {
@@ -658,8 +667,8 @@ drop_cut(struct site *cuts, size_t run)
 	site_drop_run(cuts, run);
 }
 
-/* Drops cuts that the site has, with the same day and numbers: a laboratory may
- * write the cuts of each week below those of the last. */
+/* Drops cuts that the site has already, with the same day and numbers: a
+ * laboratory may write the cuts of each week below those of the week before. */
 static void
 drop_known_cuts(struct session *s, const struct site *site, struct site *cuts,
     enum datetime_order order)

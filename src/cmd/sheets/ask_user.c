@@ -1,5 +1,5 @@
-/* Questions about a sheet: the table, the questions one by one, and the
- * answers.  The driver puts them to the user.
+/* Composes the questions about a sheet and the table shown with them, and
+ * interprets the answers.  The driver asks the user.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/ask_user.h"
 
@@ -16,13 +16,13 @@
 
 enum { WRONG = 160 };
 
-/* Rotors of such crushers are 0.4 to 1.5 m wide. */
+/* Rotors of VSI crushers have diameters of 0.4 to 1.5 m. */
 static const double LEAST_ROTOR_MM = 100, MOST_ROTOR_MM = 5000;
 
 enum { CELLS = 4 };
 
-/* Gets the cells of a row, which last as long as the question.  number: a
- * buffer of at least 24 bytes. */
+/* Sets cell to the texts of a row, which are valid as long as the question and
+ * `number`, a buffer of at least 24 bytes. */
 static void
 question_row_cells(const struct user_question *q, size_t row, bool narrow,
     char *number, const char *cell[static CELLS])
@@ -52,8 +52,8 @@ question_row_cells(const struct user_question *q, size_t row, bool narrow,
 	cell[3] = c->guess;
 }
 
-/* Finds widths at which all rows fit: values are shortened first, then
- * headings. */
+/* Finds widths at which all rows fit into `room` columns: values are shortened
+ * first, then headings, then guesses. */
 static void
 question_column_widths(
     const struct user_question *q, int room, bool narrow, int width[CELLS])
@@ -139,7 +139,7 @@ does_guess_lack_speed(const struct site_ask_column *c)
 	return strstr(c->guess, "@SPEED") != NULL;
 }
 
-/* The guess with another role and speed: "product@69 retained_g". */
+/* Returns the guess with another role and speed: "product@69 retained_g". */
 static char *
 guess_with_role(const struct site_ask_column *c, const char *role)
 {
@@ -147,8 +147,8 @@ guess_with_role(const struct site_ask_column *c, const char *role)
 	return xasprintf("%s%s", role, unit != NULL ? unit : "");
 }
 
-/* Returns the role in the guess.  A column guessed to be the sieves is a
- * product if the user says that it is not. */
+/* Returns the role in the guess.  If the user says that a guessed sieve column
+ * is something else, it is a product. */
 static char *
 guessed_role(const struct site_ask_column *c)
 {
@@ -157,7 +157,8 @@ guessed_role(const struct site_ask_column *c)
 		   : xstrndup(c->guess, strcspn(c->guess, "@ "));
 }
 
-/* Interprets a speed alone, for the guessed role; a feed has no speed. */
+/* Interprets an answer that is only a speed.  The column keeps its guessed
+ * role, but a feed without a speed becomes a product. */
 static char *
 parse_speed_answer(const struct site_ask_column *c, const struct head *head,
     char wrong[static WRONG])
@@ -224,8 +225,8 @@ parse_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
 }
 
 /* Interprets the answer about a column: a speed, words, or "" for the guess.
- * Returns the words for columns=, which the caller frees.  If NULL, the column
- * is left out, or `wrong` states what was expected. */
+ * Returns the words for columns=, which the caller frees, or NULL: then the
+ * column is left out or, if `wrong` is not empty, it says what was expected. */
 static char *
 parse_column_answer(const struct site_ask_column *c, const char *answer,
     char wrong[static WRONG])
@@ -267,8 +268,8 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 }
 
 /* Asks about one column until the answer is valid, and puts it into the table
- * as the guess: "-" leaves the column out.  Returns false if the user gives
- * up. */
+ * as the guess: "-" leaves out the column, "." also all that follow.  Returns
+ * false if the user gives up. */
 static bool
 ask_about_column(
     struct session *s, struct user_question *q, struct site_ask_column *c)
@@ -305,7 +306,8 @@ ask_about_column(
 	return true;
 }
 
-/* The answers go into a copy of the table, which the next question shows. */
+/* Asks about the open columns, one by one.  The answers go into a copy of the
+ * table, which the next question shows. */
 static bool
 ask_about_columns(struct session *s, const struct site_ask *ask,
     const char *file, struct user_answers *said)
@@ -370,7 +372,8 @@ static bool
 parse_top_size_answer(const char *settle, const char *said,
     struct user_answers *into, char *wrong)
 {
-	bool yes = said[0] == '\0' || is_abbreviation_of(said, "yes");
+	bool yes = said[0] == '\0' || is_abbreviation_of(said, "yes") ||
+		   tr_is_yes(said);
 	const char *number = yes ? strchr(settle, '=') + 1 : said;
 	bool good =
 	    text_parse_typed_number(number, &into->top) && into->top > 0;
@@ -409,7 +412,7 @@ parse_date_order_answer(
 	return false;
 }
 
-/* Takes a sheet or range as typed, or for "" the one offered. */
+/* Takes a sheet or range as typed, or the one offered if nothing was typed. */
 static bool
 parse_sheet_or_range_answer(
     const char *settle, const char *said, struct user_answers *into)
@@ -421,8 +424,8 @@ parse_sheet_or_range_answer(
 	return true;
 }
 
-/* Takes tables by number, "2" or "1-3", or cells, or for "" the tables
- * offered. */
+/* Takes tables by number, "2" or "1-3", or as cells, or the tables offered if
+ * nothing was typed. */
 static bool
 parse_tables_answer(const struct site_ask *ask, const char *said,
     struct user_answers *into, char *wrong)
@@ -472,8 +475,8 @@ parse_option_answer(const struct site_ask *ask, const char *said,
 	return parse_sheet_or_range_answer(settle, said, into);
 }
 
-/* Asks until the answer is valid.  Returns false if the user gives up; "n" to a
- * size that is offered does so too. */
+/* Asks until the answer is valid.  Returns false if the user gives up, also by
+ * answering "n" to a proposed top size. */
 static bool
 ask_until_valid_answer(
     struct session *s, struct user_question *q, struct user_answers *said)
@@ -484,7 +487,8 @@ ask_until_valid_answer(
 	for (q->first = true;; q->first = false) {
 		FREED char *answer = s->hooks.ask(s, q);
 		char *text = answer != NULL ? text_trim(answer) : NULL;
-		if (text == NULL || (top && is_abbreviation_of(text, "no")))
+		if (text == NULL ||
+		    (top && (is_abbreviation_of(text, "no") || tr_is_no(text))))
 			return false;
 		wrong[0] = '\0';
 		if (parse_option_answer(q->ask, text, said, wrong))
@@ -492,8 +496,8 @@ ask_until_valid_answer(
 	}
 }
 
-/* The questions about options.  offers: the option's value is the answer for an
- * empty line. */
+/* The questions about options.  offers: an empty line means the option's
+ * value. */
 static const struct {
 	const char *option, *question;
 	bool offers;
@@ -501,10 +505,11 @@ static const struct {
     {"decimal=", N_("decimal sign, point or comma"), false},
     {"sheet=", N_("which sheet is to be read"), true},
     {"range=", N_("which cells are to be read"), true},
-    {"dates=", "is it day or month first", false}};
+    {"dates=", N_("is it day or month first"), false}};
 
-/* Asks whether all of the feed passes a size; where that is doubtful, names
- * the size after it.  size: "" if none is proposed. */
+/* Returns the question about the size that all of the feed passes.  size: the
+ * proposed one, or "".  further: if > 0, a larger size to name too, because the
+ * proposed one is doubtful. */
 static char *
 top_size_question(const char *size, double further)
 {
@@ -550,8 +555,8 @@ ask_for_option_value(struct session *s, const struct site_ask *ask,
 	return ask_until_valid_answer(s, &q, said);
 }
 
-/* Scripts run at a prompt ask no questions either, so that they always do the
- * same. */
+/* True if there is a user to ask.  Scripts run at a prompt ask no questions, so
+ * that they always do the same. */
 static bool
 can_ask_for_answers(const struct session *s)
 {

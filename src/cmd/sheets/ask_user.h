@@ -6,11 +6,11 @@
 #include "cmd/session/session.h"
 #include "io/sitefile/site_request.h"
 
-/* One question.  about: a sentence on the subject.  ask: its columns are the
- * table shown with the question (n 0: none), which is about column `at`.  text:
- * the question; offered: the answer for an empty line, or "".  hint: other
- * possible answers.  wrong: why the last answer was not accepted, or "".
- * first: this is the first question about the table. */
+/* One question.  about: a sentence on the subject.  ask: the table shown with
+ * the question has a row for each of its columns (n 0: no table); at: the
+ * column asked about.  text: the question; offered: what an empty line means,
+ * or ""; hint: other possible answers; wrong: why the last answer was not
+ * accepted, or ""; first: this is the first question about the table. */
 struct user_question {
 	const char *about;
 	const struct site_ask *ask;
@@ -30,7 +30,8 @@ struct user_answers {
 
 /* Asks, with session->hooks.ask, until all open questions are answered.
  * Returns false if there is no user or the user gives up.  trouble: the fault
- * that says what is open.  said: the answers so far. */
+ * that says what is open.  said: the answers so far, to which the new ones are
+ * added. */
 bool ask_open_questions(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct user_answers *said);
 
@@ -39,8 +40,8 @@ bool ask_open_questions(struct session *s, const struct site_ask *ask,
 bool ask_date_order(
     struct session *s, const struct error *trouble, bool *month_first);
 
-/* Returns row 0..ask->n of the table, of which row 0 is the headings, as a line
- * of at most `columns` screen columns; text that is too long ends in "..".  The
+/* Returns row 0..ask->n of the table as a line of at most `columns` screen
+ * columns; row 0 has the headings.  Text that is too long ends in "..".  The
  * caller frees it. */
 char *user_question_row_text(
     const struct user_question *q, size_t row, int columns);

@@ -1,4 +1,4 @@
-/* blend: feeds mixed by mass, and the site's product from the mixture.
+/* blend: mixes feeds by mass, and predicts the site's product from the mixture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdlib.h>
@@ -96,7 +96,7 @@ note_sum_of_blend_parts(struct answer *r, const struct blended *b)
 		    b->sum);
 }
 
-/* Notes which sheets limit the blend at its fine end. */
+/* Notes down to which size the blend is known, and which sheets limit it. */
 static void
 note_feeds_limiting_fines(struct answer *r, const struct blended *b)
 {
@@ -180,8 +180,8 @@ show_blend(struct session *s, const struct args *args, const struct blended *b)
 	question_free(s, &q);
 }
 
-/* Writes the blend as a sheet that load and feed= read, with what the parts
- * state. */
+/* Writes the blend as a sheet for load and feed=, with the rock type and the
+ * provenance that its parts state. */
 static bool
 write_blend_as_sheet(struct session *s, const struct args *args,
     const struct blended *b, const char *path, struct error *error)

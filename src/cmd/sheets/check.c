@@ -1,4 +1,4 @@
-/* check: the search for faults in site files.  It only reports.
+/* check: looks for faults in site files, and only reports them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/check.h"
 
@@ -19,15 +19,16 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* Sampling error does not make a product this much coarser than its feed. */
+/* A product that is coarser than its feed by more than this, passing 0..1, is a
+ * fault: sampling error does not explain it. */
 static const double COARSER_FAULT = 0.02;
 
-/* Two passings written with one decimal may differ by this without cause, and a
- * little for the binary fractions. */
+/* Two passings rounded to one decimal, %, can differ by this; the 1e-9 is for
+ * binary fractions. */
 static const double ROUNDING = 0.001 + 1e-9;
 
-/* Where a run's product is coarser than its feed: the number of such sieves
- * among those compared, and the largest excess. */
+/* How a run's product is coarser than its feed: the number of such sieves, the
+ * number of sieves compared, and the largest excess. */
 struct coarser {
 	size_t sieves, compared;
 	double most, at; /* passing, 0..1; m */
@@ -73,7 +74,7 @@ check_warn_coarser_product(struct session *s, const struct site *site)
 	}
 }
 
-/* Adds a fault, which makes check fail, or a remark. */
+/* Adds a finding: a fault, which makes check fail, or a remark. */
 static void __attribute__((format(printf, 5, 6)))
 finding(struct answer *r, const struct entry *entry, bool fault,
     const char *where, const char *format, ...)
@@ -86,8 +87,8 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 	    fault ? tr("FAULT") : tr("remark"), where, text);
 }
 
-/* Returns where a finding is: "69 m/s", "1500 rpm", or "feed" for the feed of
- * all runs, NULL. */
+/* Returns where a finding is: "69 m/s", "1500 rpm", or "feed" if run is NULL or
+ * has no speed. */
 static const char *
 feed_or_speed_text(
     const struct site *site, const struct run *run, char buf[static 40])
@@ -135,7 +136,7 @@ check_product_against_feed(
 	return !fault;
 }
 
-/* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
+/* Returns "69, 79 m/s" or "69 (1), 69 (2) m/s".  The caller frees it. */
 static char *
 two_run_speeds_text(
     const struct site *site, const struct run *a, const struct run *b)
@@ -145,7 +146,8 @@ two_run_speeds_text(
 	    answers_speed_unit(site));
 }
 
-/* Reports columns entered twice: no two samples have the same numbers. */
+/* Reports columns that were entered twice, because no two samples have the same
+ * numbers. */
 static void
 report_columns_entered_twice(struct answer *r, const struct entry *entry)
 {
@@ -194,7 +196,8 @@ check_repeats_agree(struct answer *r, const struct entry *entry)
 }
 
 /* Reports passings that fall from a slower to a faster run by more than
- * sampling explains: a fault, unless their feeds may differ that much. */
+ * sampling explains.  That is a fault, unless each run has its own feed.
+ * Returns false for a fault. */
 static bool
 check_faster_is_finer(struct answer *r, const struct entry *entry,
     const struct run *slow, const struct run *fast)
@@ -236,8 +239,8 @@ check_products_by_speed(struct answer *r, const struct entry *entry)
 	return ok;
 }
 
-/* Returns a sieve that curve `at` lacks within its range although all others of
- * the n have it; 0 if there is none. */
+/* Returns a sieve, m, within the range of curve `at` that this curve lacks and
+ * all the others have, or 0. */
 static double
 find_sieve_curve_lacks(const struct psd *const *curve, size_t n, size_t at)
 {
@@ -255,8 +258,8 @@ find_sieve_curve_lacks(const struct psd *const *curve, size_t n, size_t at)
 	return 0;
 }
 
-/* Appends the feeds of a site, or its products, to the n curves, with the run
- * of each (NULL: of all). Returns the new number. */
+/* Appends the feeds or the products of a site to the n curves, and the run of
+ * each (NULL: of all runs) to run.  Returns the new number of curves. */
 static size_t
 append_feeds_or_products(const struct site *site, bool feed,
     const struct psd **curve, const struct run **run, size_t n)
@@ -273,15 +276,15 @@ append_feeds_or_products(const struct site *site, bool feed,
 	return n;
 }
 
-/* Reports sieves of the feed so far apart that much of the curve between them
- * is assumed to be straight. */
+/* Reports two sieves of the feed so far apart that much of the curve between
+ * them is only assumed. */
 static void
 report_wide_gap_in_feed(struct answer *r, const struct entry *entry)
 {
 	const struct psd *feed = &entry->site->run[0].feed;
 	size_t i = psd_sieve_above_widest_gap(feed);
 	if (i < feed->n)
-		finding(r, entry, false, "feed",
+		finding(r, entry, false, tr("feed"),
 		    "no sieve between %g and %g mm, where %.0f points of it "
 		    "lie: add one, because its curve is assumed to be straight "
 		    "there",
@@ -289,8 +292,8 @@ report_wide_gap_in_feed(struct answer *r, const struct entry *entry)
 		    100 * (feed->passing[i] - feed->passing[i + 1]));
 }
 
-/* Reports a cell that is empty although all others of its row are full: a mass
- * that was forgotten is missing from the total. */
+/* Reports a cell that is the only empty one in its row: a mass that was
+ * forgotten there is missing from the total. */
 static void
 report_empty_cells(struct answer *r, const struct entry *entry)
 {
@@ -319,8 +322,8 @@ report_empty_cells(struct answer *r, const struct entry *entry)
 	}
 }
 
-/* Reports the single cells that are suspect.  Mends of columns are listed with
- * the findings about columns. */
+/* Reports single cells that look wrong.  Faults of whole columns have findings
+ * of their own. */
 static void
 report_suspect_cells(struct answer *r, const struct entry *entry,
     const struct outlier_findings *d)
@@ -366,7 +369,7 @@ report_sites_with_same_data(struct session *s, struct answer *r, size_t index)
 		const struct entry *other = &s->entry[i];
 		if (i == index || other->site->digest != entry->site->digest)
 			continue;
-		finding(r, entry, false, "all runs",
+		finding(r, entry, false, tr("all runs"),
 		    "identical data: %s and %s have the same numbers",
 		    entry->site->name, other->site->name);
 	}
@@ -420,7 +423,7 @@ check_site(
 	struct outlier_findings d = mend_find_faults(s, entry);
 	report_suspect_cells(r, entry, &d);
 	if (d.unseen > 0)
-		finding(r, entry, false, "all runs",
+		finding(r, entry, false, tr("all runs"),
 		    "%zu passings are too many to compare each with every "
 		    "other (check does so for up to %d), so single wrong "
 		    "values are not looked for; check fewer runs at a time",
@@ -432,12 +435,12 @@ check_site(
 		mend_put_numbered_list(r, entry, &d);
 	outliers_free(&d);
 	if (strcmp(site_data_kind(entry->site->provenance), "not stated") == 0)
-		finding(r, entry, false, "site file",
+		finding(r, entry, false, tr("site file"),
 		    "provenance is not stated: above the table, write "
 		    "provenance in a cell, and in the next where the data "
 		    "are from");
 	if (site_assumed_top_size(entry->site) > 0)
-		finding(r, entry, false, "feed",
+		finding(r, entry, false, tr("feed"),
 		    "all of it is assumed to pass %g mm: a coarser sieve would "
 		    "show it",
 		    site_assumed_top_size(entry->site));

@@ -28,8 +28,8 @@ is_any_sheet_in_rpm(const struct session *s)
 	return false;
 }
 
-/* Adds the runs' speeds: in csv and json in m/s; people see them as the sheet
- * has them, with the unit where sheets differ. */
+/* Adds the speeds of the runs: for programs in m/s, for people in the unit of
+ * the sheet.  unit: name the unit, because sheets differ. */
 static void
 add_cell_of_run_speeds(struct answer *r, const struct site *site, bool unit)
 {
@@ -68,7 +68,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    : origin_is_from_store(entry->origin)
 			? tr("from store")
 			: origin_source_text(entry),
-		    site_data_kind(entry->site->provenance));
+		    tr(site_data_kind(entry->site->provenance)));
 	}
 	answer_note(r, s->n_entry > 0
 			   ? N_("* is the site in use")
@@ -93,8 +93,8 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Fills in the names, and states that nothing was measured and that the middle
- * speed is an assumption (D8). */
+/* Fills in the names and the provenance, which states that nothing was measured
+ * and that the middle speed is an assumption (D8). */
 static void
 fill_in_synthetic_site(struct site *site, const struct material *m,
     const struct synth *synth, const char *source)
@@ -181,7 +181,8 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Returns the file for the key "gavle/11.2/2": "gavle-11.2-2.csv". */
+/* Returns the path of the file for an entry: "FOLDER/gavle-11.2-2.csv" for the
+ * key "gavle/11.2/2". */
 static char *
 file_name_of_entry(const struct entry *entry, const char *folder)
 {

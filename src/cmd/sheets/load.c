@@ -27,7 +27,8 @@
 
 enum { MOST_ROUNDS = 5 };
 
-/* A request with the files and the user's answers, which it owns. */
+/* A request to read files, with the files and the user's answers, which it
+ * owns. */
 struct load {
 	struct site_request request;
 	char **path;
@@ -36,8 +37,8 @@ struct load {
 	const char *digest;
 };
 
-/* Splits "cut1.csv@70" into file and speed, unless a file has that whole
- * name. */
+/* Splits "cut1.csv@70" into file and speed, unless there is a file with that
+ * whole name. */
 static bool
 split_file_and_speed(
     const char *word, char **path, double *speed, struct error *error)
@@ -79,7 +80,7 @@ free_load_request(struct load *l)
 	free_user_answers(&l->said);
 }
 
-/* Takes ownership of the path. */
+/* Adds a file and takes ownership of the path.  speed: m/s, or 0. */
 static void
 load_add_path(struct load *l, char *path, double speed)
 {
@@ -129,7 +130,7 @@ load_note_how_read(const struct session *s, const struct site *site)
 		session_note(s, "  and %zu more: run 'check'", more);
 }
 
-/* Reports what was loaded in one line, how it was read in two, and more only if
+/* Says in one line what was loaded, in two how it was read, and more only if
  * something was left out. */
 static void
 note_loaded_site(struct session *s, const struct site *site)
@@ -170,7 +171,8 @@ put_user_answers_in_request(
 	q->top = said->top > 0 ? said->top : q->top;
 }
 
-/* Asks the user; false if there is none, or the user gives up. */
+/* Asks the user what the files leave open.  Returns false if there is no user,
+ * or the user gives up. */
 static bool
 ask_user_about_load(struct session *s, struct load *l,
     const struct site_ask *ask, const struct error_list *errors)
@@ -181,8 +183,8 @@ ask_user_about_load(struct session *s, struct load *l,
 	return good;
 }
 
-/* Names the line that takes products without a feed: as cuts of the site in use
- * or, if none is, of one that was remembered. */
+/* For products without a feed, hints at the line that adds them as cuts to the
+ * site in use or, if no site is loaded, to a remembered one. */
 static void
 hint_how_to_add_products(
     const struct session *s, const struct load *l, struct error *error)
@@ -220,7 +222,8 @@ read_site_or_ask_user(struct session *s, struct load *l, struct error *error)
 		struct site_ask ask = {0};
 		struct site *site =
 		    site_read_request(&l->request, &errors, &ask);
-		/* Answers about a feed could not be saved. */
+		/* For feed= nothing is asked, because answers could not be
+		 * saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
 			     !l->request.feed &&
 			     ask_user_about_load(s, l, &ask, &errors);
@@ -279,15 +282,16 @@ find_feed_and_product_in_file(const struct session *s, struct load *l, size_t i,
 	site_ask_clear(&ask);
 }
 
-/* True if the files are parts of one site: none is complete, and one feed
- * serves the products of all others.  Stops at the first complete file. */
+/* True if the files are parts of one site: one has a speed, or none is complete
+ * and one has the feed of all others (or all have only feeds).  Stops at the
+ * first complete file. */
 static bool
 are_files_parts_of_site(const struct session *s, struct load *l)
 {
 	size_t feeds = 0, n = l->request.n;
 	for (size_t i = 0; i < n; i++)
 		if (l->speed[i] > 0)
-			return true; /* it was said so */
+			return true; /* the user says so */
 	for (size_t i = 0; i < n; i++) {
 		bool feed, product;
 		find_feed_and_product_in_file(s, l, i, &feed, &product);
@@ -304,9 +308,9 @@ struct unread {
 	struct error *fault;
 };
 
-/* Reports all of them in order.  The one left for the error is the last file
- * that is missing, if any: the others may lack only what that file has.  skip:
- * none becomes an error. */
+/* Reports the unread files in order, except one, which becomes the error: the
+ * last that does not exist, if any, because the others may lack only what it
+ * has; otherwise the last.  skip: reports all, and sets no error. */
 static bool
 report_unread_files(struct session *s, const struct unread *u, size_t n,
     bool skip, struct error *error)
@@ -328,7 +332,8 @@ report_unread_files(struct session *s, const struct unread *u, size_t n,
 	return false;
 }
 
-/* Loads each file as a site, and continues after one that cannot be read. */
+/* Loads each file as a site of its own, and continues after one that cannot be
+ * read. */
 static bool
 load_each_file_as_site(
     struct session *s, struct load *l, bool skip, struct error *error)
@@ -352,7 +357,7 @@ load_each_file_as_site(
 		free_user_answers(&one.said);
 	}
 	bool good = false;
-	if (stopped) /* those before stay, as the lines of a script do */
+	if (stopped) /* the files before it stay loaded */
 		*error = unread.fault[unread.n - 1];
 	else
 		good =
@@ -406,7 +411,8 @@ skip_result_files(const struct session *s, struct load *l, size_t from)
 	l->request.n = n;
 }
 
-/* Adds the sheets in a folder by name, without those in folders inside it. */
+/* Adds the sheets in a folder, in the order of their names, without those in
+ * its subfolders. */
 static bool
 load_add_folder(const struct session *s, struct load *l, DIR *dir,
     const char *path, struct error *error)
@@ -452,8 +458,8 @@ load_add_files_or_folders(const struct session *s, struct load *l, size_t n,
 	return good;
 }
 
-/* Returns how much two file names differ, ignoring case, and ignoring the
- * ending of b if a has none; 0 if only the endings differ. */
+/* Returns the edit distance of two file names, ignoring case and, if a has no
+ * ending, that of b; 0 if only the endings differ. */
 static size_t
 distance_of_file_names(const char *a, const char *b)
 {
@@ -466,8 +472,8 @@ distance_of_file_names(const char *a, const char *b)
 	return same ? 0 : text_edit_distance(one, two);
 }
 
-/* Returns the sheet beside a path whose name is closest to it, or NULL. The
- * caller frees it. */
+/* Returns the path of the sheet in the same folder whose name is closest to
+ * that of `path`, or NULL if none is close.  The caller frees it. */
 static char *
 sheet_with_closest_name(const char *path)
 {
@@ -492,8 +498,8 @@ sheet_with_closest_name(const char *path)
 	return nearest;
 }
 
-/* If a file does not exist, suggests the line with the closest name.  args: the
- * options in the line, or NULL. */
+/* If a file does not exist, suggests the line with the closest file name.
+ * args: the call with its options, or NULL. */
 static void
 hint_closest_file_name(size_t n, const char *const *word,
     const struct args *args, struct error *error)
@@ -572,7 +578,7 @@ load_cuts(struct session *s, const struct args *args, const char *const *word,
 	return site;
 }
 
-/* Finds the run whose feed is meant; speed: 0 if not stated. */
+/* Finds the run whose feed `word` means.  speed: in the word, m/s, or 0. */
 static bool
 find_run_with_feed(const struct site *site, const char *word, double speed,
     size_t *run, struct error *error)

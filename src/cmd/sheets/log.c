@@ -14,7 +14,7 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 
-/* "1,440 rows" */
+/* Returns "1,440 rows". */
 static char *
 row_count_text(size_t n)
 {
@@ -22,7 +22,7 @@ row_count_text(size_t n)
 			: xasprintf(tr("%zu,%03zu rows"), n / 1000, n % 1000);
 }
 
-/* "1180 to 1420" */
+/* Returns "1180 to 1420". */
 static char *
 number_range_text(double least, double most)
 {
@@ -40,7 +40,7 @@ time_span_text(double from, double to)
 	return xasprintf(tr("%s to %s"), a, b);
 }
 
-/* "rpm 1180 to 1420, kW 150 to 210" */
+/* Returns "rpm 1180 to 1420, kW 150 to 210". */
 static char *
 log_contents_text(const struct plant_log *log)
 {
@@ -57,7 +57,8 @@ log_contents_text(const struct plant_log *log)
 	return text;
 }
 
-/* A gap is reported if it is longer than ten rows and than five minutes. */
+/* True if the longest gap is worth reporting: longer than ten rows and longer
+ * than five minutes. */
 static bool
 has_log_time_gap(const struct plant_log *log)
 {
@@ -162,7 +163,8 @@ log_load(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Returns the tip speed in the log, or that of its rpm. */
+/* Returns the median tip speed of a window, m/s to a tenth, computed from rpm
+ * if the log has no tip speeds. */
 static double
 tip_speed_of_window(
     const struct plant_log *log, const struct log_window *w, double rotor)

@@ -7,12 +7,12 @@
 #include "cmd/session/session.h"
 #include "io/formats/plant_log.h"
 
-/* Runs load FILE.. as=log: loads the log used to look up cuts. */
+/* Runs load FILE.. as=log: loads the log in which add looks up cuts. */
 bool log_load(struct session *s, const struct args *args, struct error *error);
 
-/* Looks up values in the log at a time, or within a number of seconds of it:
- * the tip speed, m/s, to a tenth, for the rotor's diameter, m (0: not known);
- * kW and t/h, NAN if the log has none.  Notes how they were found. */
+/* Finds the medians of the log's rows within so many seconds of a time: the tip
+ * speed, m/s, to a tenth; kW and t/h, or NAN if the log has none.  rotor:
+ * diameter, m, to convert rpm; 0: not known.  Notes how they were found. */
 struct logged {
 	double speed, power, rate;
 };

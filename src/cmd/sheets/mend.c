@@ -15,7 +15,7 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 
-/* Returns the posterior if the site was calibrated with these very data, or
+/* Returns the posterior if the site was calibrated on its present data, or
  * NULL. */
 static const struct posterior *
 posterior_of_same_data(const struct session *s, const struct entry *entry)
@@ -76,7 +76,8 @@ mend_command_line(const struct site *site, const struct mend *m)
 	return call;
 }
 
-/* Returns what the mend would change: "off by 3.10 points now, 0.20 then". */
+/* Returns what the mend would change: "off by 3.10 points now, 0.20 with the
+ * mend". */
 static char *
 mend_effect_text(const struct finding *f)
 {

@@ -26,9 +26,8 @@
 #include "io/sitefile/units.h"
 #include "io/store/basis.h"
 
-/* Returns the basis of the fit as a material stores it; the caller frees it.
- * The fit is stored with its runs but without draws, which follow from runs,
- * fit and seed. */
+/* Returns the fit with its runs, as a material stores them.  Draws are not
+ * stored, because they follow from runs, fit and seed.  The caller frees it. */
 static char *
 fit_record_text(const struct entry *entry)
 {
@@ -81,7 +80,7 @@ has_digest_of_material(const struct site *site, const struct material *m)
 	return strtoull(m->site_digest, NULL, 16) == site->digest;
 }
 
-/* Returns "3 runs at 69 to 79 m/s", "a feed, no product". */
+/* Returns "3 runs at 69 to 79 m/s" or "a feed, no product". */
 static char *
 runs_and_speeds_text(const struct site *site)
 {
@@ -152,14 +151,16 @@ set_params_from_material(
 /* The result of recalling a material. */
 enum remembered {
 	REMEMBERED_FAILED, /* with an error */
-	REMEMBERED_NONE,   /* it keeps no runs, or none are wanted */
-	REMEMBERED_OWN,    /* it is the site's calibration again */
-	REMEMBERED_OTHER   /* the site has the draws of another's */
+	REMEMBERED_NONE,   /* the material has no runs */
+	REMEMBERED_OWN,    /* the site has its own calibration again */
+	REMEMBERED_OTHER   /* the site has the parameters and draws of another
+			    * site */
 };
 
 /* Takes the calibration of a material into the session.  If the loaded site at
- * *index has its runs, it becomes the site's own.  If no site is loaded, the
- * material's is, at *index.  Runs added to either since are kept. */
+ * *index has all of its runs, the calibration becomes the site's own.  If no
+ * site is loaded, loads the material's site and sets *index to it.  Runs that
+ * were added to either since are kept. */
 static enum remembered
 recall_calibration(struct session *s, const struct material *m, size_t *index,
     struct error *error)
@@ -209,7 +210,7 @@ material_origin_text(const struct material *m)
 					       : "set by hand";
 }
 
-/* The name closest to the one typed. */
+/* The material name closest to the one typed. */
 struct spelling {
 	const char *typed;
 	char *best;
@@ -241,16 +242,16 @@ fail_without_material(struct store *store, const struct material_list *paper,
 		error_set(error, ERROR_USAGE,
 		    s.least < 3 ? "the store has no material '%s'\n"
 				  "did you mean '%s'?"
-				: "the store has no material '%s'\n"
-				  "run 'materials' to list them%.0s",
+				: N_("the store has no material '%s'\n"
+				     "run 'materials' to list them%.0s"),
 		    name, s.best);
 	free(s.best);
 	return false;
 }
 
-/* Finds a material by name, the user's own before those of Table 3: "tierp",
- * else "table3/tierp". It is then in the list.  If there is none, the error
- * suggests the closest name. */
+/* Finds a material by name, "tierp" of the user's own or else "table3/tierp",
+ * and adds it to the list, into which *found points.  If there is none, the
+ * error suggests the closest name. */
 static bool
 find_material_by_name(struct store *store, const char *name,
     struct material_list *list, const struct material **found,
@@ -379,7 +380,8 @@ can_ask_to_confirm(const struct session *s)
 	return s->hooks.confirm != NULL && s->scripts <= s->typed_depth;
 }
 
-/* Notes other materials with the same runs, as after a sheet was renamed. */
+/* Notes other materials with the same runs, as a renamed sheet leaves
+ * behind. */
 static void
 note_materials_with_same_runs(
     struct session *s, struct answer *r, const struct material *m)
@@ -401,7 +403,7 @@ note_materials_with_same_runs(
 	material_list_free(&list);
 }
 
-/* Shows what was stored, which confirms that it is on disk. */
+/* Shows what was stored, once it is on the disk. */
 static void
 show_remembered_materials(
     struct session *s, const struct material *item, size_t n)
@@ -419,7 +421,7 @@ show_remembered_materials(
 		if (strstr(about, m->provenance) == NULL)
 			xappend_to_list(&about, "; ", "%s", m->provenance);
 		answer_add_cells(r, "%s %s %s %.2f %.2f %s", m->name,
-		    material_origin_text(m), site_data_kind(m->provenance),
+		    material_origin_text(m), tr(site_data_kind(m->provenance)),
 		    m->rmse_pct, m->holdout_pct, m->date);
 	}
 	if (n == 1)
@@ -442,8 +444,8 @@ show_remembered_materials(
 	session_show_answer(s, r);
 }
 
-/* Adds a material with that name to the list; false if it cannot be
- * remembered. */
+/* Adds an entry's calibration to the list as a material with that name.
+ * Returns false with an error if it cannot be remembered. */
 static bool
 add_entry_as_material(struct session *s, const struct entry *entry,
     const char *name, const struct args *args, struct material_list *list,
@@ -487,8 +489,8 @@ find_free_material_name(struct session *s, const char *name)
 	return other;
 }
 
-/* Returns what would replace a material with the runs of a site `old`, or with
- * parameters alone if it is NULL. */
+/* Describes what would replace a material.  old: the site with the material's
+ * runs, or NULL if it has only parameters. */
 static char *
 replacement_text(const struct entry *entry, const struct site *old)
 {
@@ -509,8 +511,8 @@ replacement_text(const struct entry *entry, const struct site *old)
 }
 
 /* Asks whether to replace a material.  If it is an earlier state of the entry,
- * with the same settings and no run that the entry lacks, nothing is lost, and
- * Return means yes. */
+ * with the same settings and no run that the entry lacks, nothing would be
+ * lost, and Return means yes. */
 static bool
 ask_to_replace_material(struct session *s, const struct entry *entry,
     const struct material *m, struct error *error)
@@ -540,8 +542,9 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 	    m->name, old, m->date, line);
 }
 
-/* Asks the user whether to replace materials that the store has, and sets
- * *replace.  In a script store_put_materials refuses instead. */
+/* Asks the user whether to replace materials that the store has already, and
+ * sets *replace.  In scripts it does not ask, and store_put_materials
+ * refuses. */
 static bool
 ask_to_replace_materials(struct session *s, const struct material_list *list,
     bool *replace, struct error *error)
@@ -596,7 +599,7 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* Notes what to know before relying on another site's parameters. */
+/* Notes whose parameters were recalled, and what they were calibrated on. */
 static void
 note_recalled_params(
     struct session *s, const struct entry *entry, const struct material *m)
@@ -627,8 +630,8 @@ note_recalled_params(
 	    line);
 }
 
-/* True if the calibration knew all runs of the site, and all correct its
- * answers. */
+/* True if the calibration included all runs of the site, and all of them
+ * correct its answers. */
 static bool
 do_all_cuts_correct_answers(const struct session *s, const struct entry *entry)
 {
@@ -638,8 +641,8 @@ do_all_cuts_correct_answers(const struct session *s, const struct entry *entry)
 }
 
 /* Lists what came back with a site besides its products: feeds, training runs,
- * cuts added, and what was assumed.  How the sheet's columns were read that day
- * would name other runs. */
+ * cuts added, and what was assumed.  Does not say how the sheet's columns were
+ * read, because that would not mention added runs. */
 static void
 note_recalled_runs(struct session *s, const struct entry *entry)
 {
@@ -695,8 +698,7 @@ note_recalled_site(struct session *s, const struct entry *entry)
 	note_recalled_runs(s, entry);
 }
 
-/* Notes what was recalled, and settings that differ from those of its
- * calibration. */
+/* Notes what was recalled, and whether its calibration had other settings. */
 static void
 note_recalled_material(
     struct session *s, const struct entry *entry, const struct material *m)
@@ -716,8 +718,8 @@ note_recalled_material(
 		session_note(s, "  Table 3 has no beta: the default is used");
 }
 
-/* False if digest= was given and differs.  Otherwise adds digest= to the saved
- * line. */
+/* Returns false with an error if digest= is given and differs.  If it is not
+ * given, adds it to the line in the journal. */
 static bool
 check_recalled_digest(struct session *s, const struct args *args,
     const struct material *m, struct error *error)
@@ -736,9 +738,9 @@ check_recalled_digest(struct session *s, const struct args *args,
 	    wanted, m->name, found);
 }
 
-/* Takes the parameters, with the runs on which they were found if the store has
- * these: the site's answers are then those of that day, and those of another
- * site take the runs into account. */
+/* Takes the parameters and, if the store has them, the runs on which they were
+ * found.  Answers on the same site are then those of that day; answers on
+ * another site take the runs into account. */
 static bool
 recall_params_and_runs(struct session *s, const struct material *m,
     size_t index, struct error *error)
@@ -780,8 +782,8 @@ materials_text(const struct material_list *list)
 	return words;
 }
 
-/* Returns the material with the runs of the site in use, whatever it is called,
- * or with its name; NULL if there is none. */
+/* Returns the material with the runs of the site in use, whatever its name,
+ * else the one with the site's name, else NULL. */
 static const struct material *
 find_material_of_site(const struct session *s, const struct material_list *list)
 {
@@ -800,9 +802,9 @@ find_material_of_site(const struct session *s, const struct material_list *list)
 	return same != NULL ? same : named;
 }
 
-/* Returns the name for recall without one: the only one stored, or that of the
- * site in use.  The caller frees it.  On failure, returns NULL with an error
- * that lists what there is. */
+/* Returns the name that recall without a name means: that of the only material
+ * stored, or of the one for the site in use.  The caller frees it.  On failure,
+ * returns NULL with an error that lists what there is. */
 static char *
 choose_name_to_recall(struct session *s, struct error *error)
 {
@@ -849,7 +851,7 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* Returns commands that would store the material again, except for its origin:
+/* Returns commands that would store the parameters again, without their origin:
  * "params set beta1=.. ..; remember NAME". */
 static char *
 commands_to_store_again(const struct material *m)
@@ -944,7 +946,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* Sizes are nominal: within 5 % they are the same, so that 11 matches 11.2. */
+/* Top sizes are nominal: they match within 5 %, so that 11 finds 11.2. */
 static bool
 has_material_top_size(const struct material *m, double top_mm)
 {
@@ -969,7 +971,7 @@ add_material_row(struct answer *r, const struct material *m)
 	    m->top_size_mm, params_value_by_name(&m->params, "f_mat"),
 	    params_value_by_name(&m->params, "e0_min"),
 	    params_value_by_name(&m->params, "alpha"), material_origin_text(m),
-	    site_data_kind(m->provenance));
+	    tr(site_data_kind(m->provenance)));
 }
 
 static void
@@ -980,7 +982,7 @@ add_rock_unless_listed(void *data, const char *rock)
 		xappend_to_list(rocks, ", ", "%s", rock);
 }
 
-/* Lists the rocks that there are, if none is the one asked for. */
+/* Lists the rock types of all materials, if none is of the type asked for. */
 static bool
 note_available_rocks(struct answer *r, struct store *store,
     const struct material_list *paper, struct error *error)
@@ -994,7 +996,7 @@ note_available_rocks(struct answer *r, struct store *store,
 	return ok;
 }
 
-/* Returns a query for those of the user's materials that may match. */
+/* Returns a query for those of the user's materials that may match the call. */
 static struct store_query
 query_of_materials(const struct args *args)
 {
@@ -1030,7 +1032,7 @@ build_materials_answer(
 	return r;
 }
 
-/* A row of Table 3 as printed, with its spelling and feeds. */
+/* Adds a row of Table 3 as printed, with its spelling and feeds. */
 static void
 add_printed_table3_row(struct answer *r, const struct material *m)
 {
@@ -1102,7 +1104,8 @@ show_materials_list(
 	return false;
 }
 
-/* Stored runs are only for recall. */
+/* Adds a row for a field.  Of the stored runs it says only that there are
+ * any. */
 static void
 add_stored_field_row(void *data, const char *name, const char *text)
 {

@@ -57,7 +57,7 @@ struct continuous_solver;
 
 struct breakage {
 	const char *name;   /* as typed */
-	const char *brief;  /* one line for help */
+	const char *brief;  /* one line, without the bypass */
 	const char *source; /* for users who know no models by name */
 	size_t n;
 	const struct param_info *parameter; /* [n] */
@@ -184,15 +184,15 @@ bool breaker_has_progeny(const struct breaker *b);
 
 /* A model's two rows: without a bypass, with n parameters, and with a
  * bypass. */
-#define BREAKAGE_ROWS(ID, NAME, BRIEF, N, ...)                                 \
-	extern const struct breakage BREAKAGE_##ID, BREAKAGE_##ID##_BYPASS;    \
-	const struct breakage BREAKAGE_##ID = {                                \
-	    .name = NAME, .brief = BRIEF, .n = N, __VA_ARGS__};                \
-	const struct breakage BREAKAGE_##ID##_BYPASS = {                       \
-	    .name = NAME "+bypass",                                            \
-	    .brief = NAME " with a share of the feed that bypasses the rotor", \
-	    .n = N + 1,                                                        \
-	    .bypass = true,                                                    \
+#define BREAKAGE_ROWS(ID, NAME, BRIEF, N, ...)                              \
+	extern const struct breakage BREAKAGE_##ID, BREAKAGE_##ID##_BYPASS; \
+	const struct breakage BREAKAGE_##ID = {                             \
+	    .name = NAME, .brief = BRIEF, .n = N, __VA_ARGS__};             \
+	const struct breakage BREAKAGE_##ID##_BYPASS = {                    \
+	    .name = NAME "+bypass",                                         \
+	    .brief = BRIEF,                                                 \
+	    .n = N + 1,                                                     \
+	    .bypass = true,                                                 \
 	    __VA_ARGS__};
 
 /* A model's kernels, which breakage_all.h defines; a program that only prints

@@ -6,6 +6,7 @@
 
 #include "core/model/breakage_energy.h"
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
 #include "core/model/selection.h"
@@ -61,7 +62,7 @@ static const struct param_info PARAMETERS[] = {
 KERNELS(energy);
 
 BREAKAGE_ROWS(ENERGY, "grunditz-energy",
-    "the paper's, with finer progeny at higher energy (gamma)", 9,
+    N_("the paper's, with finer progeny at higher energy (gamma)"), 9,
     .source = "Grunditz et al. 2021, finer progeny at higher energy",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
     .reference = E_REF, .strength = 4, .prepare = energy_prepare_breaker,

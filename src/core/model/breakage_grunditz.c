@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/model/continuous.h"
 #include "core/model/selection.h"
@@ -282,7 +283,7 @@ static const struct param_info PARAMETERS[] = {
 
 KERNELS(grunditz);
 
-BREAKAGE_ROWS(GRUNDITZ, "grunditz", "Eqs 1 to 3 of the paper", 7,
+BREAKAGE_ROWS(GRUNDITZ, "grunditz", N_("Eqs 1 to 3 of the paper"), 7,
     .source = "Grunditz et al. 2021", .parameter = PARAMETERS, .gauge = 4,
     .gauge_name = "beta", .forms = true, .reference = PARAMS_MOST,
     .strength = F_MAT, .prepare = grunditz_prepare_breaker,

@@ -19,6 +19,7 @@
 
 #include <math.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
 #include "core/model/selection.h"
@@ -72,7 +73,7 @@ static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
 KERNELS(t10);
 
 BREAKAGE_ROWS(T10, "grunditz-t10",
-    "grunditz-energy, with finer progeny as t10 has it too (kappa)", 10,
+    N_("grunditz-energy, with finer progeny as t10 has it too (kappa)"), 10,
     .source = "Grunditz et al. 2021, finer progeny by t10",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .reference = 8,
     .strength = 4, .prepare = prepare_breaker, .finer = share_finer,

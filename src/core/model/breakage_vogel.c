@@ -85,8 +85,9 @@ static const struct param_info PARAMETERS[] = {
 
 KERNELS(vogel);
 
-BREAKAGE_ROWS(VOGEL, "vogel", "Eq 3 with the appearance of Vogel and Peukert",
-    6, .source = "Grunditz et al. 2021 with Vogel and Peukert",
+BREAKAGE_ROWS(VOGEL, "vogel",
+    N_("Eq 3 with the appearance of Vogel and Peukert"), 6,
+    .source = "Grunditz et al. 2021 with Vogel and Peukert",
     .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
     .prepare = prepare_breaker, .finer = share_finer,
     .at_size = fines_factor_with_slope, .density = progeny_density,

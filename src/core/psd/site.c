@@ -434,6 +434,19 @@ site_default_speed_range(const struct site *site, double *from, double *to)
 }
 
 char *
+site_provenance_in_words(const char *provenance)
+{
+	static const char SHEET[] = "sheet of ", CUTS[] = ", cuts to ";
+	const char *day = provenance + strlen(SHEET);
+	if (strncmp(provenance, SHEET, strlen(SHEET)) != 0)
+		return xstrdup(provenance);
+	const char *cuts = strstr(day, CUTS);
+	return cuts == NULL ? xasprintf(tr("sheet of %s"), day)
+			    : xasprintf(tr("sheet of %.*s, cuts to %s"),
+				  (int)(cuts - day), day, cuts + strlen(CUTS));
+}
+
+char *
 site_source_clause(const struct site *site, const char *none)
 {
 	size_t n = strcspn(site->provenance, ";");
@@ -443,7 +456,8 @@ site_source_clause(const struct site *site, const char *none)
 void
 sources_add_site(char **list, const struct site *site)
 {
-	FREED char *clause = site_source_clause(site, "provenance not stated");
+	FREED char *first = site_source_clause(site, "provenance not stated"),
+		   *clause = site_provenance_in_words(first);
 	if (strstr(*list, clause) == NULL)
 		xappend_to_list(list, "; ", "%s", clause);
 }

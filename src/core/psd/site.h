@@ -198,6 +198,11 @@ double site_assumed_top_size(const struct site *site);
 /* True if the provenance says that the data were not measured at a plant. */
 bool site_is_data_made_up(const char *provenance);
 
+/* Returns a provenance as people are shown it: "sheet of 2026-05-03, cuts to
+ * 2026-05-10", which are the program's own words, in the language of texts, any
+ * other as it is.  The caller frees it. */
+char *site_provenance_in_words(const char *provenance);
+
 /* Returns the first clause of the provenance, or a copy of `none` if the sheet
  * does not state it.  The caller frees it. */
 char *site_source_clause(const struct site *site, const char *none);

@@ -16,6 +16,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/cells/encoding.h"
+#include "io/fs/shipped.h"
 
 /* Returns the offset of the first control character, NUL among them, or n. */
 static size_t
@@ -76,7 +77,7 @@ refuse_invalid_text(const char *path, const char *text, size_t bad,
 	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
 	    "%s\n"
 	    "save the spreadsheet as .xlsx, .ods or \"CSV UTF-8\"",
-	    what);
+	    tr(what));
 	return NULL;
 }
 
@@ -87,13 +88,13 @@ textfile_decode(const char *path, const char *bytes, size_t n,
 	*note = "";
 	if (n > 3 && memcmp(bytes, "PK\3\4", 4) == 0)
 		return refuse_invalid_text(path, bytes, 0,
-		    "expected text, got a workbook (.xlsx, .ods)", errors);
+		    N_("expected text, got a workbook (.xlsx, .ods)"), errors);
 	struct decoded d = encoding_decode(bytes, n);
 	size_t control = first_control_character(d.text, d.n);
 	char *text = NULL;
 	if (control < d.n)
 		refuse_invalid_text(path, d.text, control,
-		    "expected text, got a binary file", errors);
+		    N_("expected text, got a binary file"), errors);
 	else if (d.wrong != NULL)
 		refuse_invalid_text(path, d.text, d.bad, d.wrong, errors);
 	else if (textfile_is_blank(d.text, d.n))
@@ -132,17 +133,28 @@ read_bytes_to_end(FILE *file, size_t most, size_t *n)
 	return NULL;
 }
 
+char *
+textfile_hint_if_unreadable(const char *path)
+{
+	FREED char *example = shipped_example_path(path);
+	return example != NULL
+		   ? xasprintf(
+			 tr("the file that the examples use is %s"), example)
+		   : xstrdup(tr("check the name (quote names with spaces), the "
+				"folder and its permissions"));
+}
+
 static char *
 report_unreadable_file(
     const char *path, const char *why, struct error_list *errors)
 {
 	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
+	FREED char *hint = textfile_hint_if_unreadable(path);
 	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
 	    "cannot read: %s\n%s", why,
-	    several ? "name each file, or let the shell expand the pattern: "
-		      "tipspeed FOLDER/*.csv"
-		    : tr("check the name (quote names with spaces), the folder "
-			 "and its permissions"));
+	    several ? tr("name each file, or let the shell expand the "
+			 "pattern: tipspeed FOLDER/*.csv")
+		    : hint);
 	return NULL;
 }
 

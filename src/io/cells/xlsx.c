@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/cells/cell_format.h"
 #include "io/cells/xml.h"
@@ -299,7 +300,7 @@ put_shared_string(struct reading *r)
 		xlsx_put_unescaped_text(r, b->string.text + b->start[i]);
 	else if (r->wrong == NULL)
 		r->wrong = xasprintf(
-		    "row %d has a text that is not there", r->at.line);
+		    tr("row %d has a text that is not there"), r->at.line);
 }
 
 /* Puts an ISO date of a strict workbook; one at midnight is a date alone. */

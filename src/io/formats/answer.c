@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "core/psd/site.h"
 
 /* Columns of a terminal, less two for its edges. */
 enum { SCREEN = 79 };
@@ -915,7 +916,8 @@ copy_with_converted_texts(
 	if (a->provenance != NULL && a->provenance[0] != '\0') {
 		FREED char *first = xstrndup(
 		    a->provenance, length_of_first_clause(a->provenance));
-		copy->provenance = way(first);
+		FREED char *words = site_provenance_in_words(first);
+		copy->provenance = way(words);
 	}
 	copy_columns(way, &a->table[0], shown, copy);
 	copy->across = a->across;

@@ -109,6 +109,16 @@ read_next_line(struct reading *r)
 	return true;
 }
 
+/* Returns the end of a word and of a unit in brackets after it, as in
+ * "velocity (m/s)". */
+static char *
+end_of_word_with_unit(char *begin)
+{
+	char *end = begin + strcspn(begin, " \t");
+	char *unit = end + strspn(end, " \t");
+	return *unit == '(' || *unit == '[' ? unit + strcspn(unit, " \t") : end;
+}
+
 /* Returns the field at *s, ended by a NUL, and moves *s after it; NULL after
  * the last. */
 static char *
@@ -121,7 +131,7 @@ next_field_of_line(const struct reading *r, char **s)
 		begin += strspn(begin, " \t");
 		if (*begin == '\0')
 			return NULL;
-		*s = begin + strcspn(begin, " \t");
+		*s = end_of_word_with_unit(begin);
 	} else {
 		bool quoted = *begin == '"';
 		char *end = quoted ? strchr(begin + 1, '"') : begin;
@@ -449,10 +459,10 @@ collisions_read(const char *path, const struct collisions_way *way,
 	    .spectrum = spectrum_new(), .about = xstrdup(""), .form = ""};
 	r.in = textfile_open(path, &why);
 	bool ok = r.in != NULL;
+	FREED char *hint = textfile_hint_if_unreadable(path);
 	if (!ok)
 		error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
-		    "cannot be read: %s\ncheck the name and the permissions",
-		    why);
+		    "cannot read: %s\n%s", why, hint);
 	ok = ok && read_open_collisions(&r);
 	if (ok && ferror(r.in))
 		ok = fault(&r, ERROR_SYSTEM, "cannot be read to its end",

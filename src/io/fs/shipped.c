@@ -1,4 +1,4 @@
-/* Finds the shipped sites relative to the program, which may have been moved or
+/* Finds the shipped files relative to the program, which may have been moved or
  * installed below another root, or else where it was configured to be
  * installed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -68,4 +68,19 @@ char *
 shipped_energies_path(const char *name)
 {
 	return shipped_file_in_folder(name, "../energy/");
+}
+
+char *
+shipped_example_path(const char *path)
+{
+	static const char DATA[] = "data/";
+	if (strncmp(path, DATA, strlen(DATA)) != 0)
+		return NULL;
+	FREED char *folder = shipped_sites_folder();
+	folder[strlen(folder) - strlen("sites/")] = '\0';
+	char *file = xasprintf("%s%s", folder, path + strlen(DATA));
+	if (access(file, R_OK) == 0)
+		return file;
+	free(file);
+	return NULL;
 }

@@ -1,4 +1,4 @@
-/* The sites that come with the program.
+/* The files that come with the program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_FS_SHIPPED_H
 #define TIPSPEED_IO_FS_SHIPPED_H
@@ -14,5 +14,9 @@ char *shipped_site_path(const char *name);
 
 /* As shipped_site_path, for a file of collision energies ("vsi-69"). */
 char *shipped_energies_path(const char *name);
+
+/* Returns the file that examples call data/NAME, or NULL if path is not of that
+ * form or no such file is shipped.  The caller frees it. */
+char *shipped_example_path(const char *path);
 
 #endif

@@ -461,7 +461,7 @@ note_left_out_cells(struct reading *r)
 		xappend_to_list(&list, ", ", tr("%zu more"), more - 3);
 	if (more > 0)
 		site_add_note(&r->site->left_out, &r->site->n_left_out,
-		    "cells without a number", list);
+		    tr("cells without a number"), list);
 }
 
 /* Notes lines of sums that could not be compared with anything. */

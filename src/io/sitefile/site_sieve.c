@@ -429,8 +429,8 @@ check_columns_have_headings(struct table *t)
 		    "%s",
 		    heads, t->head[t->titles < last ? t->titles : last].line, n,
 		    t->sheet->separator == ','
-			? "use ; between the cells if they have decimal "
-			  "commas; otherwise remove the last cells"
+			? tr("use ; between the cells if they have decimal "
+			     "commas; otherwise remove the last cells")
 			: tr("remove the last cells, or give their columns "
 			     "headings"));
 		return;

@@ -108,29 +108,31 @@ static const struct problem {
 	int code;
 	enum error_kind kind;
 	const char *text, *hint;
-} PROBLEMS[] = {
-    {SQLITE_BUSY, ERROR_SYSTEM,
-	"another program is using the store and did not release it within 5 s",
-	"try again; this session keeps its data"},
-    {SQLITE_LOCKED, ERROR_SYSTEM, "the store is in use",
-	"try again; this session keeps its data"},
-    {SQLITE_READONLY, ERROR_SYSTEM, "the store cannot be written to",
-	"check the permissions of the file and its folder, or use another with "
-	"--store=PATH"},
-    {SQLITE_PERM, ERROR_SYSTEM, "the store cannot be opened",
-	"check the permissions of the file and its folder"},
-    {SQLITE_CANTOPEN, ERROR_SYSTEM, "the store cannot be opened",
-	"check the name, the folder and its permissions, or use another with "
-	"--store=PATH"},
-    {SQLITE_FULL, ERROR_SYSTEM, "the store cannot grow: the disk is full",
-	"free some space and try again; this session keeps its data"},
-    {SQLITE_IOERR, ERROR_SYSTEM, "the store cannot be read or written",
-	"check the disk and its free space; this session keeps its data"},
-    {SQLITE_CORRUPT, ERROR_DATA, "the store is damaged",
-	"move the file away, and import the newest export into a new one"},
+} PROBLEMS[] = {{SQLITE_BUSY, ERROR_SYSTEM,
+		    N_("another program is using the store and did not release "
+		       "it within 5 s"),
+		    N_("try again; this session keeps its data")},
+    {SQLITE_LOCKED, ERROR_SYSTEM, N_("the store is in use"),
+	N_("try again; this session keeps its data")},
+    {SQLITE_READONLY, ERROR_SYSTEM, N_("the store cannot be written to"),
+	N_("check the permissions of the file and its folder, or use another "
+	   "with "
+	   "--store=PATH")},
+    {SQLITE_PERM, ERROR_SYSTEM, N_("the store cannot be opened"),
+	N_("check the permissions of the file and its folder")},
+    {SQLITE_CANTOPEN, ERROR_SYSTEM, N_("the store cannot be opened"),
+	N_("check the name, the folder and its permissions, or use another "
+	   "with "
+	   "--store=PATH")},
+    {SQLITE_FULL, ERROR_SYSTEM, N_("the store cannot grow: the disk is full"),
+	N_("free some space and try again; this session keeps its data")},
+    {SQLITE_IOERR, ERROR_SYSTEM, N_("the store cannot be read or written"),
+	N_("check the disk and its free space; this session keeps its data")},
+    {SQLITE_CORRUPT, ERROR_DATA, N_("the store is damaged"),
+	N_("move the file away, and import the newest export into a new one")},
     {SQLITE_NOTADB, ERROR_DATA,
-	"this is not a store of tipspeed, or it is damaged",
-	"move the file away, or use another with --store=PATH"}};
+	N_("this is not a store of tipspeed, or it is damaged"),
+	N_("move the file away, or use another with --store=PATH")}};
 
 static const char *
 sql_column_text(sqlite3_stmt *stmt, int i)
@@ -163,8 +165,8 @@ set_error_from_sqlite(const struct store *store, struct error *error)
 		bool why = reason != 0 && reason != ENOENT &&
 			   p->kind == ERROR_SYSTEM && code != SQLITE_BUSY;
 		return error_at(error, p->kind, store->path, 0, 0, "%s%s%s\n%s",
-		    p->text, why ? ": " : "", why ? strerror(reason) : "",
-		    p->hint);
+		    tr(p->text), why ? ": " : "", why ? strerror(reason) : "",
+		    tr(p->hint));
 	}
 	return error_at(error, ERROR_SYSTEM, store->path, 0, 0,
 	    "the store fails: %s",

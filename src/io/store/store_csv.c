@@ -159,8 +159,8 @@ find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 			    column_name(&column[c]));
 }
 
-static const char EMPTY[] = "expected %s, got an empty cell\n"
-			    "fill it, or remove the row";
+static const char EMPTY[] = N_("expected %s, got an empty cell\n"
+			       "fill it, or remove the row");
 
 static void
 parse_material_param_cell(struct sheet *sheet, struct cell cell,

@@ -1,4 +1,4 @@
-/* The page Data: the sheet.
+/* Page Data: the sheet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "tui/pane.h"
@@ -18,13 +18,13 @@
 #include "tui/screen.h"
 #include "tui/watch.h"
 
-/* Columns of the sieves, which stay, and of what is predicted. */
+/* Columns for the sieves, which do not scroll, and for the prediction. */
 enum { SIEVES = 9, PREDICTED = 9 };
 
 /* ---- The sheet ---- */
 
-/* Lists the columns: a feed of all runs is one column; otherwise each feed
- * stands before its product. */
+/* Lists the columns.  A feed shared by all runs is one column; otherwise each
+ * feed stands before its product. */
 static void
 list_sheet_columns(struct sheet *h, const struct site *site)
 {
@@ -46,7 +46,8 @@ curve_of_column(const struct sheet *h, size_t column)
 	return h->column[column].feed ? &run->feed : &run->product;
 }
 
-/* Returns the passing as the sheet has it, %; NAN if it has none. */
+/* Returns the passing in a cell as the sheet states it, %; NAN if there is
+ * none. */
 static double
 cell_passing_percent(const struct sheet *h, size_t column, size_t row)
 {
@@ -75,7 +76,7 @@ column_heading_text(const struct tui *t, size_t column, char text[static 48])
 			: "");
 }
 
-/* Returns the digits after the point that all cells need. */
+/* Returns how many decimals the cells need. */
 static int
 digits_needed_by_cells(const struct sheet *h)
 {
@@ -112,8 +113,8 @@ make_sheet_of_site(struct tui *t, const struct site *site)
 	t->ui.cell.at = t->ui.cell.at < h->n_column ? t->ui.cell.at : 0;
 }
 
-/* Returns true if the page has cells, and then makes them those of the sheet in
- * use. */
+/* Returns true if the page has cells; if they are of another sheet than the one
+ * in use, makes them anew. */
 static bool
 data_prepare_cells(struct tui *t)
 {
@@ -124,8 +125,8 @@ data_prepare_cells(struct tui *t)
 	return has;
 }
 
-/* Looks for doubtful cells, once for a sheet and a calibration.  That may take
- * a while, during which the page is already shown. */
+/* Looks for doubtful cells, once for each sheet and calibration.  This may take
+ * a while, so the page is drawn first. */
 static void
 update_doubtful_cells(struct tui *t)
 {
@@ -149,7 +150,7 @@ update_doubtful_cells(struct tui *t)
 	h->misfit = misfit;
 }
 
-/* ---- What is doubtful ---- */
+/* ---- Doubtful cells ---- */
 
 static bool
 is_about_one_cell(const struct mend *m)
@@ -157,7 +158,6 @@ is_about_one_cell(const struct mend *m)
 	return m->kind == MEND_READ || m->kind == MEND_OUT;
 }
 
-/* Returns true if a finding is about a column. */
 static bool
 is_finding_about_column(const struct mend *m, const struct sheet_column *column)
 {
@@ -166,7 +166,8 @@ is_finding_about_column(const struct mend *m, const struct sheet_column *column)
 		   !column->feed);
 }
 
-/* Returns what is wrong with a cell or with its whole column; NULL: nothing. */
+/* Returns the finding about a cell or its whole column, or NULL if there is
+ * none. */
 static const struct finding *
 finding_of_cell(const struct sheet *h, size_t column, size_t row)
 {
@@ -189,7 +190,7 @@ move_to_next_finding(struct tui *t)
 		size_t k = (t->ui.cell.at * h->n + t->ui.cell.row + i) % cells;
 		const struct finding *f =
 		    finding_of_cell(h, k / h->n, k % h->n);
-		/* A finding about a column is at its first cell. */
+		/* A finding about a column is visited at its first cell. */
 		if (f == NULL || (!is_about_one_cell(&f->mend) && k % h->n > 0))
 			continue;
 		t->ui.cell.at = k / h->n;
@@ -230,8 +231,8 @@ struct room {
 	size_t rows, columns;
 };
 
-/* Returns true if the prediction fits beside at least one column of the
- * sheet. */
+/* Returns true if there is a prediction, and room for it beside at least one
+ * column of the sheet. */
 static bool
 has_room_for_prediction(const struct tui *t, const struct area *area)
 {
@@ -239,7 +240,7 @@ has_room_for_prediction(const struct tui *t, const struct area *area)
 	       area->columns >= SIEVES + t->view.sheet.width + PREDICTED;
 }
 
-/* Rows below the cells, for the words about the cell under the cursor. */
+/* Rows below the cells, for the text about the cell under the cursor. */
 enum { SAID = 3 };
 
 static struct room
@@ -254,7 +255,8 @@ cells_that_fit(const struct tui *t, const struct area *area)
 	    rows < 1 ? 1 : (size_t)rows, columns < 1 ? 1 : (size_t)columns};
 }
 
-/* Returns the first of n to show, so that `at` is among them. */
+/* Returns the first of n items to show, so that `at` is among the `room` that
+ * fit. */
 static size_t
 first_index_to_show(size_t first, size_t at, size_t n, size_t room)
 {
@@ -303,7 +305,7 @@ data_draw_cell(
 		    line->row, line->column + from + h->width - 2};
 }
 
-/* Draws the cells of a sieve with the prediction, or for SIZE_MAX the
+/* Draws the cells of sieve i and the prediction or, if i is SIZE_MAX, the
  * headings. */
 static void
 data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
@@ -339,8 +341,8 @@ data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 	screen_text(line, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, text);
 }
 
-/* Draws the table, with marks where it continues.  Returns the column after
- * it. */
+/* Draws the table, with marks where it continues.  Returns the column after the
+ * table. */
 static int
 data_draw_cells(struct tui *t, const struct area *area, struct room room)
 {
@@ -392,7 +394,7 @@ sheet_state_text(const struct tui *t)
 	    h->doctor.n);
 }
 
-/* Returns what there is to say about the cell under the cursor. */
+/* Returns a text about the cell under the cursor. */
 static char *
 cell_description_text(const struct tui *t)
 {
@@ -416,7 +418,8 @@ cell_description_text(const struct tui *t)
 	return words;
 }
 
-/* Returns the row after it. */
+/* Draws a text about the cell under the cursor or, without a cursor, about the
+ * sheet.  Returns the row after it. */
 static int
 draw_cell_description(const struct tui *t, const struct area *area, int row)
 {
@@ -430,17 +433,18 @@ draw_cell_description(const struct tui *t, const struct area *area, int row)
 	    area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
 }
 
-/* Draws the source of the data and how the reader took it, as far as there is
- * room.  Returns the row after it. */
+/* Draws how the sheet was read and the source of the data, as far as there is
+ * room.  Returns the row after that. */
 static int
 draw_data_source(const struct tui *t, const struct area *area, int row)
 {
 	const struct site *site = t->view.sheet.site;
+	FREED char *data = site_provenance_in_words(site->provenance);
 	const struct {
 		const char *what, *text;
 	} MORE[] = {{N_("machine"), site->machine},
 	    {N_("read as"), site->read_as}, {N_("assumed"), site->assumed},
-	    {N_("remark"), site->remark}, {N_("data"), site->provenance}};
+	    {N_("remark"), site->remark}, {N_("data"), data}};
 	row = screen_draw_wrapped(area, row, LOOK_DIM,
 	    answers_is_sheet_in_rpm(site)
 		? tr("columns: feed and product at each speed, rpm, % passing; "
@@ -460,8 +464,8 @@ draw_data_source(const struct tui *t, const struct area *area, int row)
 	return row;
 }
 
-/* Draws the residuals or, before a calibration, the curves, if there is room.
- * Returns true if there is. */
+/* Draws the residuals or, before a calibration, the curves.  Returns false if
+ * there is no room for them. */
 static bool
 draw_residuals_or_curves(struct tui *t, struct area area)
 {
@@ -484,7 +488,7 @@ data_draw(struct tui *t)
 {
 	struct area area = pane_list_area(t);
 	struct sheet *h = &t->view.sheet;
-	/* A command that is running may have changed the site. */
+	/* A running command may have changed the site. */
 	if (!data_prepare_cells(t)) {
 		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
 		return;
@@ -505,7 +509,7 @@ data_draw(struct tui *t)
 		area.columns = behind;
 	if (area.rows <= 2 * SAID)
 		return;
-	/* With a blank row, if that takes none away. */
+	/* With a blank row, if there is room. */
 	row = draw_cell_description(t, &area, row + (row + SAID < area.rows));
 	row = draw_data_source(t, &area, row + (row + SAID < area.rows));
 	area_cut(&area, EDGE_TOP, row + 1);
@@ -515,7 +519,8 @@ data_draw(struct tui *t)
 
 /* ---- Keys ---- */
 
-/* Moves by a column, by some, or by a page of rows. */
+/* Moves the cursor by one column, by COLUMNS or, for PgUp and PgDn, by a page
+ * of rows. */
 static void
 move_cursor_sideways(struct tui *t, int amount)
 {
@@ -532,7 +537,7 @@ move_cursor_sideways(struct tui *t, int amount)
 		    amount < 0 ? -columns : columns, h->n_column);
 }
 
-/* A first Enter shows the cursor, the next one mends the cell. */
+/* The first Enter shows the cursor; the next one mends the cell. */
 void
 act_mend_cell(struct tui *t, const struct key *key)
 {
@@ -560,7 +565,7 @@ data_move_cursor(struct tui *t, const struct key *key)
 	struct sheet *h = &t->view.sheet;
 	if (!data_prepare_cells(t))
 		return false;
-	/* A first key shows the cursor. */
+	/* The first key only shows the cursor. */
 	bool here = t->ui.cell.on;
 	t->ui.cell.on = true;
 	if (!here)

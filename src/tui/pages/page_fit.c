@@ -1,6 +1,6 @@
-/* The page Fit: the search, generation by generation, during and after its run;
- * beside its plot a row for each parameter with its bounds and the middle 80 %
- * of candidates and draws, and the convergence below.
+/* Page Fit: the search, generation by generation, while it runs and afterwards.
+ * Beside its plot are a row for each parameter, with its bounds and the middle
+ * 80 % of candidates and draws, and below these the convergence.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "tui/pane.h"
@@ -25,11 +25,11 @@
 
 /* ---- The panel ---- */
 
-/* Columns of the row of a parameter: name, lower bound, bar, upper bound and
- * value; on a wide panel, a remark. */
+/* Columns in the row of a parameter: for its name, lower bound, bar, upper
+ * bound, value and, on a wide panel, a remark. */
 enum { NAME = 7, BOUND = 6, VALUE = 8, SIGN = 1, REMARK = 12, WIDE = 48 };
 
-/* The least rows of the convergence. */
+/* The fewest rows for the plot of the convergence. */
 enum { CONVERGENCE = 3 };
 
 /* Where and how a row of the panel is drawn. */
@@ -51,7 +51,7 @@ choose_parameter(struct tui *t, int by)
 	struct search_shown past = tui_search_shown(t);
 	if (past.n == 0)
 		return;
-	/* The first key shows which one it is. */
+	/* The first key only shows which parameter is chosen. */
 	if (t->ui.param_at == 0)
 		t->ui.param_at = 1;
 	else
@@ -69,8 +69,8 @@ act_type_bounds(struct tui *t, const struct key *key)
 	size_t j = t->ui.param_at > 0 ? t->ui.param_at - 1 : 0;
 	const struct breakage *of = breakage_model_of_params(&past.best);
 	const struct session *s = t->session;
-	/* The bounds of the next search; of another model, those of the
-	 * last. */
+	/* The bounds of the next search; if that uses another model, those of
+	 * the last. */
 	const struct bounds *now = s->set.model.breakage == past.best.breakage
 				       ? &s->set.bounds
 				       : past.bounds;
@@ -92,7 +92,8 @@ on_click_parameter(struct tui *t, const struct mouse_event *touched)
 	act_type_bounds(t, NULL);
 }
 
-/* Returns the cell of a bar at which a value stands between its bounds. */
+/* Returns the cell of a bar, `width` cells long, where a value stands between
+ * the bounds. */
 static int
 bar_cell_of_value(const struct param_span *span, double value, int width)
 {
@@ -102,7 +103,7 @@ bar_cell_of_value(const struct param_span *span, double value, int width)
 	return (int)lround(share * (width - 1));
 }
 
-/* Draws a sign from one value to another. */
+/* Draws a sign in the cells from end[0] to end[1]. */
 static void
 draw_bar_span(const struct row *r, const struct param_span *span,
     const double *end, enum series series, const char *sign)
@@ -114,11 +115,11 @@ draw_bar_span(const struct row *r, const struct param_span *span,
 		    r->side, r->row, NAME + BOUND + 1 + c, series, 0, sign);
 }
 
-/* Writes a number in few letters: "0.001", "2746". */
+/* Writes a number in few characters: "0.001", "2746". */
 static const char *
 short_number_text(double value, bool scaled, char text[static 24])
 {
-	/* Not "-0.000". */
+	/* So that it is not "-0.000". */
 	if (scaled)
 		snprintf(text, 24, "%.3f", fabs(value) < 0.5e-3 ? 0 : value);
 	else
@@ -126,8 +127,8 @@ short_number_text(double value, bool scaled, char text[static 24])
 	return text;
 }
 
-/* Draws the bar between the bounds: the middle 80 % of the draws and of the
- * candidates, and the best. */
+/* Draws the bar between the bounds, with the middle 80 % of the draws and of
+ * the candidates, and the best candidate. */
 static void
 draw_parameter_bar(const struct row *r, const struct param_span *span)
 {
@@ -148,22 +149,22 @@ draw_parameter_bar(const struct row *r, const struct param_span *span)
 	    SERIES_PREDICTED, LOOK_BOLD, "*");
 }
 
-/* Draws "f_mat  0.01|  ==*=    |10    2.18"; for a fixed parameter only the
- * value. */
+/* Draws "f_mat  0.01|  ==*=    |10    2.18".  A fixed parameter has no bar. */
 static void
 draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
     const struct param_span *span)
 {
 	int at = NAME + 2 * (BOUND + 1) + r->width;
-	/* Without room for the remark a sign tells of the bound itself. */
+	/* Without room for the remark, the sign stands only for a value at the
+	 * bound. */
 	bool marked = span->at_bound || (r->wide && span->near);
-	const char *remark = span->at_bound ? "AT BOUND"
-			     : span->near   ? "NEAR BOUND"
+	const char *remark = span->at_bound ? tr("AT BOUND")
+			     : span->near   ? tr("NEAR BOUND")
 					    : "";
 	char text[24];
 	screen_text(
 	    r->side, r->row, 0, chosen ? LOOK_REVERSE : LOOK_PLAIN, "%s", name);
-	/* For terminals without reverse. */
+	/* For terminals that have no reverse. */
 	if (chosen)
 		screen_text(r->side, r->row, NAME - 1, LOOK_BOLD, ">");
 	if (span->fixed)
@@ -218,7 +219,7 @@ stop_reason_text(enum calibrate_state stop)
 }
 
 /* Draws "1.2 s  350000 candidates  pace auto".  The time left is not known,
- * because the polish ends when it finds nothing better. */
+ * because the polish goes on until it finds nothing better. */
 static int
 draw_search_effort(const struct tui *t, int row)
 {
@@ -236,8 +237,9 @@ draw_search_effort(const struct tui *t, int row)
 	return row + 1;
 }
 
-/* Returns "converged; seed 1; doubtful: ..", with the first reason; if the
- * search shown has not replaced the fit, that is said first. */
+/* Returns "converged; seed 1; doubtful: ..", with the first reason.  If the
+ * search shown did not replace the fit, says that first.  The caller frees
+ * it. */
 static char *
 fit_verdict_text(const struct tui *t, const struct entry *entry)
 {
@@ -264,8 +266,8 @@ posterior_draws_settled_text(const struct evidence *e)
 	    POSTERIOR_DRAWS);
 }
 
-/* Draws the verdict beside the end of a search, in rows that parameters and
- * convergence leave free. */
+/* Draws the verdict when the end of a search is shown, in rows that the
+ * parameters and the convergence leave free.  Returns the row after it. */
 static int
 draw_search_result(const struct tui *t, int row)
 {
@@ -291,7 +293,8 @@ draw_search_result(const struct tui *t, int row)
 	return row;
 }
 
-/* Draws the state of the search at the generation shown. */
+/* Draws the state of the search at the generation shown.  Returns the row after
+ * it. */
 static int
 draw_search_state(const struct tui *t, const struct search_shown *past)
 {
@@ -330,7 +333,7 @@ draw_convergence(struct tui *t, int row)
 		pane_draw_plot(t, &request, &below);
 }
 
-/* "beta1=-0.000  .. alpha=1!" */
+/* Returns "beta1=-0.000  .. alpha=1!", with "!" at a bound. */
 static char *
 parameters_text(const struct tui *t, const struct search_shown *past)
 {
@@ -347,7 +350,7 @@ parameters_text(const struct tui *t, const struct search_shown *past)
 	return words;
 }
 
-/* Draws the parameters in words if there are no rows for bars. */
+/* Draws the parameters as text, for a panel without rows for bars. */
 static void
 draw_params_in_words(const struct tui *t, const struct search_shown *past)
 {
@@ -413,7 +416,7 @@ on_click_generations(struct tui *t, const struct mouse_event *touched)
 	tui_show_generation(t, 1 + (size_t)at * (n - 1) / (size_t)last);
 }
 
-/* Draws the slider of the generations instead of the usual caption. */
+/* Draws the slider of generations instead of the usual caption. */
 static bool
 caption(struct tui *t, const struct area *area)
 {
@@ -462,8 +465,8 @@ draw_legend_of_run(const struct area *area, int column, const struct site *site,
 	return screen_draw_series_text(area, 0, column, look.series, 0, name);
 }
 
-/* Draws a legend of one row, as that of the plot itself would leave it little
- * room. */
+/* Draws a legend of one row, because the plot's own legend would leave it
+ * little room. */
 static void
 fit_draw_legend(const struct tui *t)
 {
@@ -498,8 +501,7 @@ fit_draw(struct tui *t)
 	enum { TALL = 20, LOW = 9 };
 	bool any = tui_search_shown(t).n > 0;
 	struct layout *l = &t->layout;
-	/* Without rows for a plot, the state of the search is shown in
-	 * words. */
+	/* Without rows for a plot, the state of the search is shown as text. */
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
 	    t->ui.picture == PLOT_SEARCH) {
 		l->side = l->plot;
@@ -545,8 +547,8 @@ move_shown_generation_by(struct tui *t, int by)
 	    t, pane_clamp_index(at, by, tui_count_generations(t)) + 1);
 }
 
-/* Runs the next generation of a running search; of one that is over, shows
- * it. */
+/* Runs the next generation of a running search; of a finished search, shows the
+ * next generation. */
 void
 act_next_generation(struct tui *t, const struct key *key)
 {

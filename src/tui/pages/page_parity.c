@@ -1,5 +1,5 @@
-/* The page Parity: predicted against measured sizes, at the held-out speeds of
- * all sites.
+/* Page Parity: predicted against measured sizes, at the held-out speeds of all
+ * sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "tui/pane.h"
@@ -18,9 +18,8 @@
 #include "tui/screen.h"
 #include "tui/widgets/list.h"
 
-/* ---- What is compared ---- */
+/* ---- The runs compared ---- */
 
-/* Returns the held-out runs of a site. */
 static struct trials
 heldout_runs_of_site(const struct session *s, size_t index)
 {
@@ -33,7 +32,8 @@ heldout_runs_of_site(const struct session *s, size_t index)
 	return found;
 }
 
-/* Moves the marks of the chosen run, which lie over all others. */
+/* Moves the marks of the chosen run, which are drawn over all others, to its
+ * sizes. */
 static void
 move_marks_to_chosen_run(struct tui *t)
 {
@@ -49,8 +49,8 @@ move_marks_to_chosen_run(struct tui *t)
 	}
 }
 
-/* Adds the marks of the chosen run, in reverse like its row beside the plot; a
- * single run needs none. */
+/* Adds marks for the chosen run, in reverse like its row beside the plot.  They
+ * are not needed for a single run. */
 static void
 add_marks_of_chosen_run(struct chart *chart)
 {
@@ -74,8 +74,8 @@ make_parity_chart(struct tui *t)
 	move_marks_to_chosen_run(t);
 }
 
-/* Compares site by site, because a first comparison draws from the posterior of
- * the training runs of each; a key interrupts it. */
+/* Compares site by site, because a first comparison samples the posterior of
+ * each site's training runs.  A key interrupts it. */
 static void
 parity_update(struct tui *t)
 {
@@ -100,7 +100,8 @@ parity_update(struct tui *t)
 	make_parity_chart(t);
 }
 
-/* Returns the newest comparison with each speed held out in turn, or NULL. */
+/* Returns the newest answer of validate with each speed held out in turn, or
+ * NULL. */
 static const struct answer *
 find_leave_one_out_answer(const struct session *s)
 {
@@ -167,7 +168,8 @@ draw_leave_one_out_scores(const struct tui *t, const struct area *area, int row)
 	return row;
 }
 
-/* Returns the difference of a size, % of the measured one. */
+/* Returns the difference between predicted and measured size i, % of the
+ * measured one. */
 static double
 size_error_percent(const struct validation *v, size_t i)
 {
@@ -253,7 +255,7 @@ draw_parity_panel(struct tui *t, const struct area *area)
 	table_draw(t, &points, &TABLE, wanted);
 }
 
-/* Draws one line of statistics if there is no room for the panel. */
+/* Draws one line of statistics, where there is no room for the panel. */
 static void
 draw_statistics_line(const struct tui *t, const struct area *area)
 {
@@ -279,7 +281,7 @@ draw_parity_chart(const struct tui *t, const struct area *area)
 	canvas_free(canvas);
 }
 
-/* Says why there is no plot, or not yet. */
+/* Says why there is no plot, or that it is being made. */
 static void
 draw_why_no_parity(const struct tui *t, const struct area *area)
 {

@@ -1,5 +1,5 @@
-/* The page Predict: the curves, and the numbers at the slider's speed; without
- * a site, ways to open one.
+/* Page Predict: the curves, and the numbers at the slider's speed; without a
+ * site, ways to open one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/pane.h"
 
@@ -26,7 +26,7 @@
 
 /* ---- Without a site ---- */
 
-/* The ways to open a site, each with the list of files that it opens. */
+/* Ways to open a site, each with the list of files that it opens. */
 static const struct {
 	const char *name, *what;
 	enum picker_list list;
@@ -59,8 +59,8 @@ draw_way_to_start(struct tui *t, const struct area *line, size_t i,
 	screen_text(line, 0, 1, look, "%s", tr(WAYS[i].name));
 }
 
-/* Draws the ways in the middle, with a description of the chosen one if there
- * is room. */
+/* Draws the ways in the middle of the page, with a description of the chosen
+ * one if there is room. */
 static void
 draw_ways_to_start(struct tui *t)
 {
@@ -137,7 +137,7 @@ act_move_crosshair_passing(struct tui *t, const struct key *key)
 	t->ui.crosshair_passing = to < LEAST ? LEAST : to > MOST ? MOST : to;
 }
 
-/* Shows all numbers; before a calibration, starts that. */
+/* Shows all numbers or, before a calibration, starts one. */
 void
 act_show_all_numbers(struct tui *t, const struct key *key)
 {
@@ -166,8 +166,8 @@ act_show_all_runs(struct tui *t, const struct key *key)
 	t->ui.goal_view = false;
 }
 
-/* The first Up or Down turns the crosshair on, with which the panel reads the
- * curves at the sieve. */
+/* Moves the crosshair by Up and Down.  The first of these turns it on, and the
+ * panel then reads the curves at its sieve. */
 static bool
 move_crosshair_by_key(struct tui *t, const struct key *key)
 {
@@ -184,7 +184,7 @@ move_crosshair_by_key(struct tui *t, const struct key *key)
 	return true;
 }
 
-/* Turns the crosshair on, which opens the page, or off. */
+/* Turns the crosshair off, or on, which also opens the page. */
 void
 act_toggle_crosshair(struct tui *t, const struct key *key)
 {
@@ -202,7 +202,7 @@ act_toggle_crosshair(struct tui *t, const struct key *key)
 		tui_say(t, false, "sieve: Up, Down; passing: < and >");
 }
 
-/* Moves the crosshair to the nearest sieve, by the ratio of sizes, as on the
+/* Moves the crosshair to the sieve nearest to a size, m, by ratio, as on the
  * axis. */
 static void
 move_crosshair_to_size(struct tui *t, double size)
@@ -285,7 +285,8 @@ predict_hints(const struct tui *t)
 		   : "<-/->  =72  t  ?  Enter  q  f  x  e  :  c  u";
 }
 
-/* Its rows are the ways to open a site, or the conditions of the goal. */
+/* Counts the rows of the page's list: the ways to open a site, or the
+ * conditions of the goal. */
 static size_t
 predict_count_rows(const struct tui *t)
 {

@@ -1,4 +1,4 @@
-/* The page Sites: each loaded site and the state of its calibration.
+/* Page Sites: each loaded site and the state of its calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "tui/pane.h"
@@ -38,8 +38,8 @@ enum column {
 	COLUMNS
 };
 
-/* For a site that is being calibrated, the column of the light has other words:
- * its width is fixed. */
+/* The column of the light has a fixed width, because it also shows the progress
+ * of a calibration. */
 static const struct list_column COLUMN[COLUMNS] = {
     [LIGHT] = {N_("light"), 7, 1, .fixed = true},
     [NAME] = {N_("site"), 1, 0, .indent = 2},
@@ -54,10 +54,10 @@ static const struct list_column COLUMN[COLUMNS] = {
     [GENERATIONS] = {N_("generations"), 12, 10, .right = true},
     [MACHINE] = {N_("machine"), 12, 11}};
 
-/* ---- What is known of each ---- */
+/* ---- The rows ---- */
 
-/* Computes the P50 at a speed: for the site in use on the feed of its page, for
- * others on that of all speeds. */
+/* Computes the P50 at the slider's speed: for the site in use with the feed of
+ * page Predict, for others with their mean feed. */
 static void
 compute_row_p50(struct site_row *row, const struct tui *t)
 {
@@ -78,7 +78,7 @@ compute_row_p50(struct site_row *row, const struct tui *t)
 	prediction_free(&p);
 }
 
-/* Returns what does not depend on the speed. */
+/* Returns the row of a site, except for what depends on the speed. */
 static struct site_row
 make_site_row(const struct session *s, size_t i)
 {
@@ -98,8 +98,8 @@ make_site_row(const struct session *s, size_t i)
 	return row;
 }
 
-/* Returns "69 o74 79", with o at held-out speeds like the signs of the track;
- * "1380 1500 rpm" of a sheet in rpm, "8 runs" if there are many. */
+/* Returns "69 o74 79", with o for held-out speeds, like the signs of the track;
+ * for a sheet in rpm, "1380 1500 rpm"; if there are many, "8 runs". */
 static char *
 run_speeds_text(const struct entry *e)
 {
@@ -135,8 +135,8 @@ params_origin_text(const struct session *s, const struct site_row *row)
 						 : origin_source_text(e);
 }
 
-/* Returns the progress of a site, also if several are calibrated in turn; NULL
- * if it is not concerned or its calibration is over. */
+/* Returns the progress of a site's calibration, which may be one of several in
+ * turn; NULL if the site is not calibrated or is done. */
 static char *
 calibration_progress_text(const struct tui *t, size_t i)
 {
@@ -155,7 +155,7 @@ calibration_progress_text(const struct tui *t, size_t i)
 							 : tr("draws"));
 }
 
-/* Returns the number in a column; NAN if there is none or it has words. */
+/* Returns the number in a column; NAN if it has none, or words. */
 static double
 site_number_in_column(
     const struct session *s, const struct site_row *row, enum column column)
@@ -227,7 +227,7 @@ site_cell_text(const struct tui *t, size_t i, int column)
 	}
 }
 
-/* ---- Their order ---- */
+/* ---- The order of the rows ---- */
 
 static const char *
 sort_text_of_row(
@@ -240,8 +240,8 @@ sort_text_of_row(
 				      : e->key;
 }
 
-/* Returns true if row a stands after b; what has no number or word is last in
- * either direction. */
+/* Returns true if row a is sorted after b.  Rows without a number or word are
+ * last in either direction. */
 static bool
 is_sorted_after(
     const struct tui *t, const struct site_row *a, const struct site_row *b)
@@ -279,8 +279,8 @@ sites_sort_rows(struct tui *t)
 	}
 }
 
-/* Sorts by a column, ascending at first and then in the other direction; -1: as
- * loaded. */
+/* Sorts by a column: ascending at first, then in the other direction.  column
+ * -1: the order in which sites were loaded. */
 static void
 sort_by_column(struct tui *t, int column)
 {
@@ -306,8 +306,8 @@ colour_of_light_cell(const struct tui *t, size_t i, int column,
 static const struct list_table TABLE = {
     COLUMN, COLUMNS, site_cell_text, colour_of_light_cell, sort_by_column};
 
-/* Computes the rows; what does not depend on the speed only if the session has
- * changed (rows_at 0). */
+/* Computes the rows.  What does not depend on the speed is computed only if the
+ * session has changed (rows_at 0). */
 static void
 update_site_rows(struct tui *t)
 {
@@ -335,8 +335,8 @@ update_site_rows(struct tui *t)
 /* ---- On the screen ---- */
 
 /* Describes the site under the cursor: what the mark of its P50 means, its
- * parameters, what it is, and the source of its data, which is left out
- * first. */
+ * parameters, what it is, and the source of its data.  If room is short, the
+ * last is left out first. */
 enum { ABOUT = 4 };
 static void
 fill_site_descriptions(const struct tui *t, char *text[static ABOUT])
@@ -358,12 +358,12 @@ fill_site_descriptions(const struct tui *t, char *text[static ABOUT])
 	FREED char *label = session_site_label(e->site);
 	text[2] = xasprintf("%s%s%s", label,
 	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
-	text[3] = xasprintf(tr("data: %s"), e->site->provenance[0] != '\0'
-						? e->site->provenance
-						: tr("provenance not stated"));
+	FREED char *data = site_provenance_in_words(e->site->provenance);
+	text[3] = xasprintf(tr("data: %s"),
+	    data[0] != '\0' ? data : tr("provenance not stated"));
 }
 
-/* Draws the curves of the site under the cursor between its row and the words
+/* Draws the curves of the site under the cursor, between the list and the text
  * about it. */
 static void
 draw_curves_of_site(struct tui *t, struct area area)
@@ -383,8 +383,8 @@ draw_curves_of_site(struct tui *t, struct area area)
 	pane_draw_plot(t, &request, &area);
 }
 
-/* Draws these words at the foot of the page, below row `first`.  Returns how
- * many rows they leave. */
+/* Draws this description at the foot of the page, below row `first`.  Returns
+ * how many rows are left between. */
 static int
 draw_selected_site_at_foot(
     const struct tui *t, const struct area *area, int first)
@@ -458,7 +458,8 @@ open_chosen_site(struct tui *t)
 		    "calibrating all sites: s stops, then Enter opens one");
 		return;
 	}
-	/* The site in use is only shown, without stopping a job. */
+	/* If it is the site in use, it is only shown, without stopping a
+	 * job. */
 	if (session_is_calibrating(s) &&
 	    t->ui.list[PAGE_SITES].at == s->current) {
 		pages_go_to(t, PAGE_PREDICT);
@@ -474,7 +475,7 @@ open_chosen_site(struct tui *t)
 		pages_go_to(t, PAGE_PREDICT);
 }
 
-/* Sorts by the next of the columns that are drawn. */
+/* Sorts by the next column that is drawn. */
 static void
 sort_by_next_column(struct tui *t)
 {

@@ -1,12 +1,13 @@
-/* The box of a question.  If room is short, parts are dropped in this order:
- * other possible answers, the subject, the keys, the table except the row in
- * question.
+/* Draws the box of a question.  If room is short, parts are dropped in this
+ * order: other possible answers, the subject, the keys, the table except for
+ * the row that the question is about.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/dialog.h"
 
 #include <curses.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -22,7 +23,7 @@ dialog_handle_key(struct tui *t, int code, bool special)
 	}
 	if (special && code == KEY_ENTER)
 		return EDIT_DONE;
-	/* Backspace in an empty line would give up, and Tab complete
+	/* In an empty line, Backspace would give up; Tab would complete
 	 * commands. */
 	if ((back && t->answer.n == 0) || (!special && code == '\t'))
 		return EDIT_ON;
@@ -45,7 +46,7 @@ dialog_ask(struct tui *t, const struct user_question *q)
 	return result == EDIT_DONE ? xstrdup(t->answer.text) : NULL;
 }
 
-/* The rows of each part; gap: blank ones around the table. */
+/* The number of rows of each part.  gap: blank rows around the table. */
 struct parts {
 	int about, table, gap, text, line, hint;
 };
@@ -103,15 +104,14 @@ draw_dialog_frame(struct tui *t, const struct area *box, const char *keys)
 	pane_add_hint_clicks(t, edge.row, edge.column + 3, keys);
 }
 
-/* The wheel scrolls the table. */
 static void
 on_wheel_scroll_table(struct tui *t, const struct mouse_event *touched)
 {
 	t->inquiry_up -= touched->by;
 }
 
-/* Draws the headings and as many rows as fit, with the one asked about unless
- * the table was scrolled. */
+/* Draws the headings and as many rows as fit.  The row that the question is
+ * about is among them, unless the table was scrolled. */
 static void
 draw_question_table(struct tui *t, const struct area *area)
 {
@@ -143,7 +143,6 @@ draw_answer_line(struct tui *t, const struct area *area)
 	t->cursor = (struct cursor){area->row, area->column + at};
 }
 
-/* Draws the parts from the top down. */
 static void
 draw_dialog_parts(struct tui *t, const struct area *inner,
     const struct parts *p, const char *asks)
@@ -185,7 +184,8 @@ dialog_draw(struct tui *t, int rows, int columns)
 	hits_add(&t->hits, HIT_WHEEL, box, on_wheel_scroll_table, 0);
 	if (frame)
 		draw_dialog_frame(t, &box,
-		    offers ? "Enter accepts  Esc gives up" : "Esc gives up");
+		    offers ? tr("Enter accepts  Esc gives up")
+			   : tr("Esc gives up"));
 	struct area inner = {
 	    box.row + edge, box.column + side, high, wide - 2 * side};
 	draw_dialog_parts(t, &inner, &p, asks);

@@ -7,14 +7,15 @@
 #include "cmd/sheets/ask_user.h"
 #include "tui/tui_state.h"
 
-/* See session->hooks.ask. */
+/* The `ask` of session->hooks: asks q and returns the answer, which the caller
+ * frees, or NULL if the user gave up. */
 char *dialog_ask(struct tui *t, const struct user_question *q);
 
 /* Handles a key of the open dialogue. */
 enum edit_result dialog_handle_key(struct tui *t, int code, bool special);
 
-/* Draws the dialogue over the screen's content, at any size, with the cursor in
- * its line. */
+/* Draws the dialogue over the screen, at any size, with the cursor in its
+ * line. */
 void dialog_draw(struct tui *t, int rows, int columns);
 
 #endif

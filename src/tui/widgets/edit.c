@@ -1,4 +1,4 @@
-/* Editing of one line, without a screen.
+/* Edits one line, without a screen.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/edit.h"
 
@@ -70,7 +70,8 @@ insert_at_cursor(struct edit *t, unsigned code)
 	replace_before_cursor(t, t->at, letter, strlen(letter));
 }
 
-/* Return the offset of the character before, and after, an offset. */
+/* previous_letter_offset returns the offset of the character before an offset;
+ * next_letter_offset that of the one after it. */
 static size_t
 previous_letter_offset(const struct edit *t, size_t at)
 {
@@ -111,7 +112,7 @@ go_back_in_history(struct edit *t, int by)
 		   : history_get(history_base + history_length - back)->line);
 }
 
-/* Returns how many bytes all candidates begin with. */
+/* Returns the length, in bytes, of what all candidates begin with. */
 static size_t
 shared_candidate_bytes(const struct completion *c)
 {
@@ -151,7 +152,6 @@ complete_word(struct edit *t, const struct session *s)
 	completion_free(c);
 }
 
-/* Handles keys that have a name. */
 static void
 edit_handle_named_key(struct edit *t, int code)
 {

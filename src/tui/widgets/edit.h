@@ -9,11 +9,11 @@
 
 #include "cmd/session/session.h"
 
-/* text [n], UTF-8; at: offset of the cursor.  back: number of lines back in the
- * history.  offers: completions to show for the word at `start`, separated by
- * two spaces, or NULL; from: index of the first one shown; shown: their number;
- * another Tab shows the next.  fresh: start of a proposed name, which a typed
- * letter replaces, or 0. */
+/* text [n]: UTF-8.  at: offset of the cursor.  back: lines back in the history.
+ * offers: completions of the word at `start`, separated by two spaces, or NULL.
+ * Of these, `shown` are shown, beginning with number `from`; another Tab shows
+ * the next.  fresh: where a proposed name starts, which the first letter typed
+ * replaces; or 0. */
 struct edit {
 	bool active;
 	char text[2000];
@@ -31,7 +31,7 @@ void edit_begin(struct edit *t, const char *text);
 void edit_begin_with_proposal(
     struct edit *t, const char *text, const char *name);
 
-/* Handles a key.  code: from ncurses if special, else a character. */
+/* Handles a key.  code: a key code of ncurses if special, else a character. */
 enum edit_result edit_handle_key(
     struct edit *t, const struct session *s, int code, bool special);
 void edit_end(struct edit *t);
@@ -46,8 +46,9 @@ size_t edit_next_completion(const struct edit *t);
 /* Replaces the word with offer n. */
 void edit_use_completion(struct edit *t, size_t n);
 
-/* Adds an ASCII letter to text of at most `most` letters, or deletes the last.
- * Returns false if the key does neither or there is nothing to delete. */
+/* Adds an ASCII letter to a text of at most `most` letters, or deletes the last
+ * letter.  Returns false if the key does neither or there is nothing to
+ * delete. */
 bool edit_type_letter(struct edit *t, int code, bool special, size_t most);
 
 #endif

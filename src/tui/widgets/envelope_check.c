@@ -7,8 +7,8 @@
 
 #include "base/xalloc.h"
 
-/* revision, feed: what it was opened for; open: it could be; speed: where it
- * is, m/s. */
+/* revision, feed: of the view and the prediction that it was opened for.  open:
+ * opening it succeeded.  speed: that of its forecast, m/s. */
 struct envelope_check {
 	struct grading grading;
 	bool open;

@@ -6,15 +6,15 @@
 #include "cmd/ask/envelope.h"
 #include "tui/tui_state.h"
 
-/* Brings the check up to date with the speed of the slider and with the
- * session.  Keeps what does not depend on the speed; a step of the slider
- * then only reads the curve of its prediction, without draws. */
+/* Brings the check up to date with the slider's speed and with the session.
+ * What does not depend on the speed is kept, so that a step of the slider only
+ * reads the curve of its prediction, without draws. */
 void envelope_check_update(struct tui *t);
 void envelope_check_free(struct tui *t);
 
-/* Returns the check at the slider's speed, or NULL if no envelope is chosen,
- * none of its sieves is within the range of the feed's, or a calibration is
- * running. */
+/* Returns the check at the slider's speed.  Returns NULL if no envelope is
+ * chosen, none of its sieves is within the range of the feed's, or a
+ * calibration is running. */
 const struct grading *envelope_check_at_slider(const struct tui *t);
 
 #endif

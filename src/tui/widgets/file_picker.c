@@ -52,8 +52,8 @@ close_picker(struct tui *t)
 	t->picker = (struct picker){0};
 }
 
-/* Types the line of guess, with the cursor where the sheet leaves something
- * open. */
+/* Types a guess command, with the cursor where something is missing that the
+ * sheet does not state. */
 static void
 propose_guess_command(struct tui *t)
 {
@@ -73,7 +73,8 @@ propose_guess_command(struct tui *t)
 	}
 }
 
-/* Runs the command like that of a key, and says what is next. */
+/* Runs the command that opens a file, and says what to do next.  estimates: the
+ * sheet was chosen for its feed.  Returns true if a site is loaded. */
 static bool
 run_open_command(struct tui *t, const char *line, bool estimates)
 {
@@ -163,7 +164,6 @@ file_picker_open(struct tui *t, enum picker_list what)
 	list_files_in_folder(&t->picker, "");
 }
 
-/* Goes to the folder above. */
 static void
 go_to_folder_above(struct tui *t)
 {
@@ -178,8 +178,8 @@ go_to_folder_above(struct tui *t)
 		}
 }
 
-/* Filters by letters of names, or deletes them.  Returns false for other keys.
- * A letter that no name has is not taken. */
+/* Handles a key that adds a letter to the filter or deletes one.  Returns false
+ * for other keys.  A letter is refused if no name then matches. */
 static bool
 filter_files_by_letter(struct tui *t, int code, bool special)
 {
@@ -269,7 +269,7 @@ draw_picker_title(const struct tui *t, const struct area *area)
 		screen_text(area, 0, column, 0, ": the first %zu", c->folder.n);
 }
 
-/* Draws the message over the hints and, if needed, the row above. */
+/* Draws the message over the hints and, if it needs two rows, the row above. */
 static void
 file_picker_draw_message(const struct tui *t)
 {
@@ -283,7 +283,7 @@ file_picker_draw_message(const struct tui *t)
 	screen_draw_wrapped(&area, 0, LOOK_BOLD, text);
 }
 
-/* Draws the list with the preview beside it, or below it on a narrow screen. */
+/* The preview is beside the list or, on a narrow screen, below it. */
 void
 file_picker_draw(struct tui *t)
 {

@@ -8,8 +8,8 @@
 /* Opens a list of files; with --safe, only shows a message. */
 void file_picker_open(struct tui *t, enum picker_list list);
 
-/* Handles a key.  Returns false if the list was closed and the key is to be
- * handled by what it covered. */
+/* Handles a key.  Returns false if it closed the list and the key is for what
+ * the list covered. */
 bool file_picker_handle_key(struct tui *t, int code, bool special);
 
 /* Draws the list with its hints. */

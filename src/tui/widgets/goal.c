@@ -21,7 +21,7 @@
 #include "io/sitefile/units.h"
 #include "tui/acts.h"
 
-/* A list of more conditions is that of an envelope. */
+/* More conditions than this are those of an envelope. */
 enum { MANY = 4 };
 
 bool
@@ -61,7 +61,7 @@ goal_limit_speeds(const struct tui *t, double *speed, size_t most)
 		speed[n++] = g->met[i];
 	for (size_t i = 0; i < g->found->n_inside && n + 2 <= most; i++) {
 		const struct speed_range *in = &g->found->inside[i];
-		/* Where the search ends is no limit of the goal. */
+		/* An end of the search is not a limit of the goal. */
 		if (in->from > g->found->speed[0])
 			speed[n++] = in->from;
 		if (in->to < g->found->speed[g->found->n - 1])
@@ -129,7 +129,8 @@ goal_show_chosen_quantity(struct tui *t)
 		return;
 	const struct quantity *q =
 	    &list->at[at < list->n ? at : list->n - 1].quantity;
-	/* A list of sieves is freed with the goal. */
+	/* A quantity with a list of sieves is not copied, because the list is
+	 * freed with the goal. */
 	t->ui.quantity_of_goal = false;
 	if (q->sieve == NULL)
 		t->ui.quantity = *q;
@@ -142,7 +143,7 @@ act_toggle_goal_view(struct tui *t, const struct key *key)
 	bool opens = !goal_is_viewed(t);
 	t->ui.goal_view = opens;
 	t->ui.goal_view = goal_is_viewed(t);
-	/* The first step reads the conditions. */
+	/* The conditions are read by the first step. */
 	if (t->ui.goal_view && goal_is_pending(t))
 		goal_compute_step(t);
 	if (t->ui.goal_view && goal_is_known(t))
@@ -159,7 +160,7 @@ act_type_goal(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);
-	/* During a search its best so far is shown, too. */
+	/* During a search, its best candidate so far is shown, and will do. */
 	if (entry == NULL ||
 	    (!entry->has_params && t->view.shown.product.n == 0)) {
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
@@ -177,8 +178,8 @@ act_type_goal(struct tui *t, const struct key *key)
 	edit_begin(&t->line, line);
 }
 
-/* Completes the last condition: quantities, and the envelopes that come with
- * the program. */
+/* Completes the last condition with the names of quantities and of the
+ * envelopes that come with the program. */
 static void
 complete_last_condition(struct edit *y)
 {
@@ -223,8 +224,8 @@ close_goal_field(struct tui *t)
 	t->message[0] = '\0';
 }
 
-/* Returns the line that sets the goal, or clears it; NULL if nothing changes.
- * An envelope alone is also put to use, so that its limits are drawn. */
+/* Returns the line that sets or clears the goal; NULL if nothing changes.  A
+ * single envelope is also put to use, so that its limits are drawn. */
 static char *
 command_that_sets_goal(struct tui *t, const char *text)
 {
@@ -244,8 +245,8 @@ command_that_sets_goal(struct tui *t, const char *text)
 	return NULL;
 }
 
-/* A quantity alone, "p80" or "p80=", is only shown above the track.  Returns
- * false if the text is no quantity. */
+/* Shows a quantity typed without a value, "p80" or "p80=", above the track and
+ * leaves the goal as it is.  Returns false if the text is not a quantity. */
 static bool
 show_typed_quantity(struct tui *t, const char *text)
 {
@@ -271,16 +272,16 @@ show_typed_quantity(struct tui *t, const char *text)
 	return ok;
 }
 
-/* Returns the quantity to show for conditions until it is known which one
- * binds: that of the last; for an envelope, that of a sieve in the middle. */
+/* Returns the quantity to show until it is known which condition binds: that of
+ * the last condition or, for an envelope, of one in the middle. */
 static struct quantity
 quantity_to_show_for_goal(const struct condition_list *list)
 {
 	return list->at[list->n > MANY ? list->n / 2 : list->n - 1].quantity;
 }
 
-/* Shows the quantity that binds, once that is known, unless the user chose
- * another. */
+/* Shows the quantity of the condition that binds, once that is known, unless
+ * the user chose another. */
 static void
 select_binding_quantity(struct tui *t)
 {
@@ -288,7 +289,8 @@ select_binding_quantity(struct tui *t)
 	if (!goal_is_known(t) || !t->ui.quantity_of_goal)
 		return;
 	const struct quantity *binds = &g->list.at[g->binds].quantity;
-	/* A list of sieves is freed with the goal. */
+	/* A quantity with a list of sieves is not copied, because the list is
+	 * freed with the goal. */
 	if (binds->sieve == NULL)
 		t->ui.quantity = *binds;
 }
@@ -304,7 +306,8 @@ goal_compute_step(struct tui *t)
 		select_binding_quantity(t);
 }
 
-/* Reads the field on Enter.  What cannot be read stays, to be corrected. */
+/* Reads the field on Enter.  Returns the command to run, or NULL.  A text that
+ * cannot be read stays, to be corrected. */
 static char *
 parse_goal_field(struct tui *t)
 {
@@ -312,7 +315,7 @@ parse_goal_field(struct tui *t)
 	struct condition_list list = {0};
 	struct error error = {0};
 	char *copy = xstrdup(t->line.text), *text = text_trim(copy);
-	/* Quotes, as the prompt wants them, say nothing here. */
+	/* Quotes are needed at the prompt, but mean nothing here. */
 	for (char *p = text; (p = strchr(p, '"')) != NULL;)
 		memmove(p, p + 1, strlen(p));
 	size_t n_value = 0;
@@ -320,7 +323,6 @@ parse_goal_field(struct tui *t)
 	if (text[0] == '\0' || strcasecmp(text, SETTINGS_NONE) == 0) {
 		line = command_that_sets_goal(t, "");
 	} else if (show_typed_quantity(t, text)) {
-		/* said already */
 	} else if (goals_parse(t->session, text, tui_feed_curve(t), &list,
 		       &n_value, &error)) {
 		if (list.n > 0)
@@ -338,8 +340,9 @@ parse_goal_field(struct tui *t)
 	return line;
 }
 
-/* Replaces the proposed text: a letter begins another quantity, a sign its own
- * condition, a number a value; a comma adds a condition. */
+/* Replaces the proposed text when the first character is typed: a letter begins
+ * another quantity, a sign a condition of the quantity shown, a digit its
+ * value.  After a comma, another condition is added instead. */
 static void
 begin_new_goal_text(struct tui *t, int code)
 {
@@ -351,8 +354,8 @@ begin_new_goal_text(struct tui *t, int code)
 	edit_begin(&t->line, isalpha(code) ? "" : words);
 }
 
-/* Turns a number typed for a value, "p80=0", into the beginning of a fraction,
- * "0/". */
+/* Handles "/" typed after a value, "p80=0": leaves the number alone, because it
+ * begins a fraction, "0/2". */
 static void
 begin_fraction_text(struct edit *y)
 {

@@ -25,7 +25,8 @@ static const struct list_column COLUMN[COLUMNS] = {
     [HOLDS] = {N_("met"), 5, 2},
     [SPEEDS] = {N_("by itself at"), 12, 3}};
 
-/* Returns the value of a condition at the slider's speed, in its own unit. */
+/* Returns the value of a condition's quantity at the slider's speed, in the
+ * unit of the condition. */
 static double
 condition_value_now(const struct tui *t, const struct condition *c)
 {
@@ -42,8 +43,9 @@ is_condition_met_now(const struct tui *t, const struct condition *c)
 	return !(value < c->least) && !(value > c->most) && !isnan(value);
 }
 
-/* Returns true if the speeds of the goal are known, and of the parameters by
- * which the values are predicted: not those of a running search. */
+/* Returns true if the speeds of the goal are known.  During a search, those
+ * known are of the old parameters, while the values shown are of the new
+ * ones. */
 static bool
 are_goal_speeds_known(const struct tui *t)
 {
@@ -58,8 +60,8 @@ append_speed_to_list(char **list, const struct site *site, double speed)
 	xappend_to_list(list, ", ", "%s", text);
 }
 
-/* Returns the speeds at which condition i holds by itself, "70.8 to 78.0 m/s";
- * for a single value, which is last, those that give it. */
+/* Returns the speeds at which condition i holds by itself, "70.8 to 78.0 m/s"
+ * or, for a goal that is a value, those that give it. */
 static char *
 condition_speeds_text(const struct tui *t, size_t i)
 {

@@ -71,7 +71,7 @@ has_searchable_rows(const struct page_list *of)
 	return of != NULL && (of->text != NULL || of->table != NULL);
 }
 
-/* Looks through all columns, also those that are not shown. */
+/* Looks in all columns, including those that are not shown. */
 static bool
 is_row_matching(const struct tui *t, size_t i)
 {
@@ -87,7 +87,8 @@ is_row_matching(const struct tui *t, size_t i)
 	return text_contains_word(text, word->text);
 }
 
-/* Returns the nearest row before or after i that matches, else i. */
+/* Returns the nearest matching row before i (by -1) or after it (by 1), or i if
+ * there is none. */
 static size_t
 next_matching_row(const struct tui *t, size_t i, int by)
 {
@@ -107,8 +108,8 @@ list_count_matching(const struct tui *t)
 	return n;
 }
 
-/* Moves the cursor to a matching row, there, after or before.  Returns false if
- * there is none. */
+/* Moves the cursor to the nearest matching row: its own, else one below, else
+ * one above.  Returns false if there is none. */
 static bool
 move_cursor_to_match(struct tui *t)
 {
@@ -138,8 +139,8 @@ move_cursor_by_rows(struct tui *t, int by)
 	move_cursor_to_row(t, at);
 }
 
-/* Returns the first row to draw, so that the one under the cursor is among
- * `room` of them and none is left blank at the end. */
+/* Returns the first row to draw, so that `room` rows include the one under the
+ * cursor and, if possible, none is left blank. */
 static size_t
 first_row_to_draw(struct tui *t, int room)
 {
@@ -217,7 +218,7 @@ list_draw_rows(
 
 /* ---- Columns ---- */
 
-/* Between two columns. */
+/* Blank columns between two columns. */
 enum { GAP = 2 };
 
 void
@@ -246,7 +247,8 @@ column_of_rank(const struct list_table *table, int rank)
 	return c;
 }
 
-/* The first in rank gives way last, but leaves room for the second. */
+/* The column of rank 0 gets room first, but leaves some for the column of rank
+ * 1. */
 void
 table_fit_columns(const struct list_table *table, int columns,
     const int wanted[static LIST_COLUMNS], int width[static LIST_COLUMNS])
@@ -256,7 +258,7 @@ table_fit_columns(const struct list_table *table, int columns,
 	for (int rank = 0; rank < table->n; rank++) {
 		int c = column_of_rank(table, rank);
 		int least = table->column[c].least;
-		/* A number needs all of its width, and a space before it. */
+		/* A number needs its full width, and a space before it. */
 		if (table->column[c].right)
 			least = wanted[c] - GAP + 1;
 		if (wanted[c] < least)
@@ -285,8 +287,8 @@ on_click_heading(struct tui *t, const struct mouse_event *touched)
 		list->table->sort(t, (int)touched->item);
 }
 
-/* Draws the heading of a column; that of the column sorted by is marked with
- * its direction. */
+/* Draws the heading of a column.  The heading by which rows are sorted is
+ * marked with the direction. */
 static void
 table_draw_head(struct tui *t, const struct list_table *table,
     const struct area *cell, int column)
@@ -307,7 +309,7 @@ table_draw_head(struct tui *t, const struct list_table *table,
 		    on_click_heading, (size_t)column);
 }
 
-/* Draws a cell by itself, because texts may have wide letters. */
+/* Draws one cell at its own column, because texts may have wide letters. */
 static void
 table_draw_cell(const struct tui *t, const struct list_table *table,
     const struct area *cell, size_t i, int column, unsigned look)
@@ -324,7 +326,7 @@ table_draw_cell(const struct tui *t, const struct list_table *table,
 		screen_text(cell, 0, 0, look, "%s", text);
 }
 
-/* Draws a row, or for SIZE_MAX the headings.  A text has a gap before it,
+/* Draws row i or, if i is SIZE_MAX, the headings.  A text has a gap before it,
  * except at the edge. */
 static void
 table_draw_row(struct tui *t, const struct area *line, size_t i, unsigned look,
@@ -365,7 +367,8 @@ list_add_wheel_area(struct tui *t, struct area area)
 	hits_add(&t->hits, HIT_WHEEL, area, on_wheel_move_cursor, 0);
 }
 
-/* Updates the rows, because several keys may come before the next frame. */
+/* Updates the rows, because several keys may be handled before the next
+ * frame. */
 static void
 update_list_rows(struct tui *t)
 {

@@ -23,11 +23,11 @@
 #include "tui/cmdline.h"
 #include "tui/folder.h"
 
-/* Columns of a row of numbers: after its name its value, unit and change, and
- * on a wide panel the band. */
+/* Columns of a row of numbers: after the name come value, unit and, on a wide
+ * panel, the band; the change is at the right. */
 enum { VALUE = 5, UNIT = 12, BAND = 16, CHANGE_COLUMNS = 7, WIDE = 34 };
 
-/* The rows that a block takes: at least, or it is left out, and at most. */
+/* The rows that a block takes.  With fewer than `least` it is left out. */
 struct wish {
 	int least, most;
 };
@@ -38,7 +38,7 @@ has_pinned_prediction(const struct tui *t)
 	return t->view.pinned.site[0] != '\0';
 }
 
-/* Returns the numbers from which changes are counted, or NULL. */
+/* Returns the numbers with which changes are computed, or NULL. */
 static const struct numbers *
 numbers_to_compare_with(const struct tui *t)
 {
@@ -54,7 +54,7 @@ is_change_visible(double change, int digits)
 	return fabs(change) >= 0.5 * pow(10, -digits);
 }
 
-/* Draws "-0.03", the change since then; nothing if it is shown as 0. */
+/* Draws the change, "-0.03", unless it would be shown as 0. */
 static void
 draw_change(
     const struct area *area, int row, double now, double was, int digits)
@@ -65,9 +65,9 @@ draw_change(
 		    "%+*.*f", CHANGE_COLUMNS, digits, now - was);
 }
 
-/* Draws a band: "5.29..5.44" on a wide panel, else half its width after the
- * number, "5.36\u00b10.08" or "5.36+-0.08", with that unit; nothing without a
- * band. */
+/* Draws a band, "5.29..5.44", on a wide panel.  On others, draws half its width
+ * after the number, with the unit: "5.36\u00b10.08" or "5.36+-0.08".  Draws
+ * nothing if there is no band. */
 static void
 draw_band_of_number(const struct area *area, int row, double low, double high,
     int digits, const char *unit)
@@ -88,7 +88,6 @@ draw_band_of_number(const struct area *area, int row, double low, double high,
 	    high < long_number ? digits : 0, high);
 }
 
-/* Draws a size or why there is none. */
 static void
 draw_size_or_reason(const struct area *area, int row, unsigned look, double mm)
 {
@@ -100,7 +99,7 @@ draw_size_or_reason(const struct area *area, int row, unsigned look, double mm)
 		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
 }
 
-/* The speed, and that from which changes are counted. */
+/* The speed, and the one that it is compared with. */
 static struct wish
 speed_rows_wanted(struct tui *t)
 {
@@ -109,7 +108,8 @@ speed_rows_wanted(struct tui *t)
 	return (struct wish){1, other ? 2 : 1};
 }
 
-/* Returns true if the sizes have changed, by another calibration, say. */
+/* Returns true if the sizes have changed: perhaps the site was calibrated
+ * again. */
 static bool
 are_sizes_changed(const struct numbers *now, const struct numbers *was)
 {
@@ -120,7 +120,8 @@ are_sizes_changed(const struct numbers *now, const struct numbers *was)
 	return changed;
 }
 
-/* As the sheet has them; in m/s if what is pinned is of another rotor. */
+/* Draws the speeds in the unit of the sheet, but in m/s if the pinned
+ * prediction is of another site. */
 static void
 panel_draw_speed(struct tui *t, const struct area *area)
 {
@@ -146,7 +147,7 @@ panel_draw_speed(struct tui *t, const struct area *area)
 		    area, 1, 0, LOOK_DIM, "pinned: %s", t->view.pinned.site);
 }
 
-/* Puts the crosshair where the curve passes so much. */
+/* Puts the crosshair at the size that was clicked, and at its passing. */
 static void
 on_click_size(struct tui *t, const struct mouse_event *touched)
 {
@@ -186,8 +187,8 @@ draw_break_size(struct tui *t, const struct area *area)
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
 	screen_text(area, 0, 0, 0, "%s", tr("break"));
 	draw_size_or_reason(area, 0, LOOK_PLAIN, t->view.current.break_mm);
-	/* The band is of the draws: one that does not include the value of the
-	 * fit would be taken for an error. */
+	/* The band comes from the draws.  If it does not include the value of
+	 * the fit, it would be taken for an error. */
 	double mm = t->view.current.break_mm;
 	bool within = 1000 * range[0] <= mm && mm <= 1000 * range[1];
 	if (area->columns >= WIDE && within)
@@ -227,13 +228,13 @@ on_click_fraction(struct tui *t, const struct mouse_event *touched)
 		t->ui.crosshair_sieve++;
 }
 
-/* Draws a row for each of them from `row` on, in a unit of which 100 % is
- * `all`. */
+/* Draws a row for each passing, from `row` on.  all: the number that stands for
+ * 100 % in that unit. */
 static void
 draw_passings(struct tui *t, const struct area *area, int row, double all,
     const char *unit)
 {
-	static const char *const NAME[] = {"fines", "<2 mm", "<4 mm"};
+	static const char *const NAME[] = {N_("fines "), "<2 mm", "<4 mm"};
 	const struct numbers *was = numbers_to_compare_with(t);
 	const struct prediction *shown = &t->view.shown;
 	struct psd low = shown->product, high = shown->product;
@@ -243,7 +244,7 @@ draw_passings(struct tui *t, const struct area *area, int row, double all,
 		double now = t->view.current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
-		screen_text(area, row, 0, 0, "%s", NAME[i]);
+		screen_text(area, row, 0, 0, "%s", tr(NAME[i]));
 		screen_text(
 		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
 		if (shown->low != NULL)
@@ -266,9 +267,9 @@ draw_fractions(struct tui *t, const struct area *area)
 	draw_passings(t, area, 0, 100, "%");
 }
 
-/* Returns the feed of the newest flow, t/h, or NAN if that was of another site.
- * back: out, t/h that return to the crusher or pass it by, neither of which is
- * a share of the product. */
+/* Returns the feed of the newest answer of flow, t/h, or NAN if that was about
+ * another site.  Sets *back to the t/h that return to the crusher or bypass it,
+ * which are not a share of the product. */
 static double
 newest_flow_feed_tph(const struct tui *t, double *back)
 {
@@ -309,8 +310,8 @@ draw_tonnes_per_hour(struct tui *t, const struct area *area)
 	draw_passings(t, area, 1, tph, "t/h");
 }
 
-/* A heading with the verdict and a row for each limit, or for as many of the
- * worst as there is room for. */
+/* Wants a heading with the verdict and a row for each limit; with less room,
+ * the limits with the smallest margins are shown. */
 static struct wish
 limit_rows_wanted(struct tui *t)
 {
@@ -320,7 +321,7 @@ limit_rows_wanted(struct tui *t)
 	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
 }
 
-/* Writes what a limit is of, in few letters. */
+/* Writes the name of a limit's quantity in few letters. */
 static void
 short_quantity_name(const struct quantity *q, char *name, size_t size)
 {
@@ -332,8 +333,8 @@ short_quantity_name(const struct quantity *q, char *name, size_t size)
 		    q->kind == QUANTITY_MODULUS ? "FM" : typed);
 }
 
-/* Draws limit i with its value at the slider's speed, and whether that meets
- * it. */
+/* Draws limit i, the value at the slider's speed, and whether it is within the
+ * limit. */
 static void
 panel_draw_limit(
     const struct area *area, int row, const struct grading *g, size_t i)
@@ -360,7 +361,7 @@ panel_draw_limit(
 	    in ? N_(" in") : N_("OUT"));
 }
 
-/* Returns the place of limit i among margins [n], the smallest first. */
+/* Returns the rank of limit i among margins [n], 0 for the smallest. */
 static size_t
 rank_of_limit_by_margin(const double *margin, size_t n, size_t i)
 {
@@ -371,7 +372,7 @@ rank_of_limit_by_margin(const double *margin, size_t n, size_t i)
 	return place;
 }
 
-/* A click on the light or the limits explains them. */
+/* Explains the light or the limits that were clicked. */
 static void
 on_click_verdict(struct tui *t, const struct mouse_event *touched)
 {
@@ -385,7 +386,7 @@ panel_draw_limits(struct tui *t, const struct area *area)
 	struct area name = *area;
 	name.columns -= 4;
 	hits_add(&t->hits, HIT_PRESS, *area, on_click_verdict, 1);
-	/* With the fraction, if there is room for it. */
+	/* With the fraction, if it fits. */
 	FREED char *words = session_spec_fraction_text(t->session);
 	xappend_to_list(&words, " ", "%s", t->session->spec->name);
 	bool fits = text_width_in_columns(words) <= name.columns;
@@ -419,7 +420,7 @@ readout_rows_wanted(struct tui *t)
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
-/* A few sieves do not show a curve. */
+/* Wants at least five rows: fewer sieves do not show a curve. */
 static struct wish
 sieve_rows_wanted(struct tui *t)
 {
@@ -428,8 +429,8 @@ sieve_rows_wanted(struct tui *t)
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
-/* Returns the first reason, but that of a speed beyond the measured ones before
- * all others; NULL: none. */
+/* Returns the reason to show, or NULL if there is none: a speed beyond the
+ * measured ones if that is one of them, else the first. */
 static const struct trust_reason *
 trust_reason_to_show(const struct trust *light)
 {
@@ -440,7 +441,7 @@ trust_reason_to_show(const struct trust *light)
 	return light->n > 0 ? &light->reason[first] : NULL;
 }
 
-/* Returns the light of what is shown, computed once. */
+/* Returns the light of the prediction shown, which is computed once. */
 static const struct trust *
 light_of_shown_prediction(struct tui *t)
 {
@@ -454,8 +455,9 @@ light_of_shown_prediction(struct tui *t)
 	return &v->light;
 }
 
-/* Takes as many rows with a reason as without, because the numbers below would
- * move with the speed; only a red light shows all of its reason. */
+/* Wants as many rows with a reason as without, because otherwise the numbers
+ * below would move when the speed changes.  Only a red light shows its whole
+ * reason. */
 static struct wish
 light_rows_wanted(struct tui *t)
 {
@@ -482,8 +484,8 @@ static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
     [TRUST_MACHINE] = N_("another machine"),
     [TRUST_ORIGIN] = N_("not calibrated here")};
 
-/* Draws a reason, or what stands before its colon, or what it is about, as far
- * as there is room. */
+/* Draws as much of a reason as there is room for: all of it, what stands before
+ * its colon, or its cause in a few words. */
 static void
 draw_trust_reason(const struct area *area, const struct trust_reason *reason)
 {
@@ -508,8 +510,8 @@ draw_fit_quality(const struct tui *t, const struct area *area)
 	    fit, held);
 }
 
-/* Draws the light in reverse, because all else is read by it; below it the
- * first reason, or else how good the fit is. */
+/* Draws the light in reverse, because everything else depends on it, and below
+ * it the first reason or, without one, how good the fit is. */
 static void
 panel_draw_light(struct tui *t, const struct area *area)
 {
@@ -537,9 +539,10 @@ panel_draw_light(struct tui *t, const struct area *area)
 		draw_fit_quality(t, area);
 }
 
-/* From the top down.  rank: in this order they get the least rows they need,
- * and then what they may have more; apart: a blank row above it where there is
- * one left; wish: the rows it takes, or NULL if these are always the same. */
+/* The blocks of the panel, from the top down.  rank: the order in which blocks
+ * get their least rows, and then what they want beyond that.  apart: has a
+ * blank row above it if one is left.  wish: returns the rows wanted; if NULL,
+ * `always` has them. */
 enum { BLOCKS = 9 };
 static const struct block {
 	int rank;
@@ -559,7 +562,8 @@ static const struct block {
     {7, true, sieve_table_draw, .wish = sieve_rows_wanted},
 };
 
-/* Shares the rows of the panel among the blocks: rows [BLOCKS], out. */
+/* Shares `left` rows among the blocks; rows [BLOCKS] receives the rows of
+ * each. */
 static void
 panel_share_rows(struct tui *t, int left, int rows[BLOCKS])
 {
@@ -585,8 +589,8 @@ panel_share_rows(struct tui *t, int left, int rows[BLOCKS])
 	}
 }
 
-/* Draws the blocks, with a blank row above those that stand apart while some
- * are left. */
+/* Draws the blocks.  Those that stand apart have a blank row above them, as
+ * long as rows are left. */
 static void
 panel_draw_blocks(struct tui *t)
 {
@@ -611,8 +615,8 @@ panel_draw_blocks(struct tui *t)
 	}
 }
 
-/* Says what to do while there is no prediction, and what is pinned or was
- * read. */
+/* Says what to do while there is no prediction, and shows what is pinned or
+ * else how the sheet was read. */
 static void
 draw_why_nothing_predicted(const struct tui *t)
 {
@@ -656,9 +660,10 @@ panel_draw(struct tui *t)
 		panel_draw_blocks(t);
 }
 
-/* Returns the light in at most `columns`, or `most` in its shortest form, with
- * its first reason: up to its last or first colon, or what it is about, as far
- * as there is room. */
+/* Returns the light with its reason in the longest form that fits into
+ * `columns`.  The forms are: the reason up to its last colon, up to its first
+ * colon, its cause in a few words, the same with only the colour, which may
+ * take `most` columns, and no reason. */
 static char *
 trust_light_text(const struct trust *light, int columns, int most)
 {
@@ -711,8 +716,8 @@ panel_trust_text(struct tui *t, int columns, int most)
 	return words;
 }
 
-/* Writes a size in at most four characters, because a number that is cut would
- * be another. */
+/* Writes a size, mm, in at most four characters, because a number that is cut
+ * would be another number. */
 static const char *
 short_size_text(double mm, char text[static 24])
 {
@@ -735,7 +740,8 @@ panel_draw_number_row(struct tui *t)
 	const struct area *area = &t->layout.numbers;
 	const struct prediction *p = &t->view.shown;
 	char a[24], b[24], c[24], d[24];
-	/* The list of sites shows the marked site, which may be another. */
+	/* The list of sites describes the selected site, which may be
+	 * another. */
 	if (area->rows == 0 ||
 	    (t->ui.page == PAGE_SITES &&
 		t->ui.list[PAGE_SITES].at != t->session->current))

@@ -8,9 +8,10 @@
 /* Draws the side panel of page Predict. */
 void panel_draw(struct tui *t);
 
-/* Returns what does not fit in the panel, or what replaces it, "trust amber:
- * beyond the measured speeds, out of ASTM C33", or "".  It is cut to `columns`,
- * or to `most` if the reason then fits.  The caller frees it. */
+/* Returns the light and the envelope in words, "trust amber: beyond the
+ * measured speeds, out of ASTM C33", as far as the side panel does not show
+ * them; or "".  The text is cut to `columns`, or to `most` if the reason then
+ * fits.  The caller frees it. */
 char *panel_trust_text(struct tui *t, int columns, int most);
 
 /* Draws the row of numbers that replaces the side panel, on any page. */

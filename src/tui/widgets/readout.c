@@ -1,5 +1,5 @@
-/* Reads each curve at the crosshair, and the size at its level from the finer
- * curve.
+/* Reads the passing of each curve at the crosshair, and the size at the
+ * crosshair's passing from the finer curve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/readout.h"
 
@@ -29,8 +29,8 @@ readout_size_or_reason(double mm, char text[static 24])
 	return text;
 }
 
-/* Draws a row: the passing of a curve at the crosshair, and its size at the
- * level, read from `finer`. */
+/* Draws a row: the passing of a curve at the crosshair's sieve, and its size at
+ * the crosshair's passing, read off `finer`. */
 static void
 draw_curve_reading(const struct tui *t, const struct area *area, int row,
     unsigned look, const char *name, const struct psd *psd,
@@ -49,7 +49,8 @@ draw_curve_reading(const struct tui *t, const struct area *area, int row,
 	screen_text(area, row, 15, look, "%9s", size);
 }
 
-/* Draws the band of the passing and, if there is room, of the size. */
+/* Draws the band of the passing and, if there is a row for it, that of the
+ * size. */
 static void
 readout_draw_band(const struct tui *t, const struct area *area, int row)
 {

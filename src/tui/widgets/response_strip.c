@@ -1,5 +1,5 @@
-/* Computes a few speeds at a time between keys; a step of the slider only moves
- * the mark.
+/* Computes the curve at a few speeds at a time, between keys.  A step of the
+ * slider only moves its mark.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/response_strip.h"
 
@@ -20,8 +20,8 @@
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
 
-/* Speeds worked out in one go, and how long the slider stands still before
- * that, s. */
+/* The number of speeds computed in one go, and how long, s, the slider must
+ * stand still before that. */
 enum { IN_ONE_GO = 8 };
 static const double PAUSE = 0.05;
 
@@ -67,8 +67,8 @@ act_next_quantity(struct tui *t, const struct key *key)
 	t->ui.quantity_of_goal = false;
 }
 
-/* Returns true if there is a curve to compute; a running search would have
- * another with each generation. */
+/* Returns true if there is a curve to compute.  A running search has none,
+ * because it would change with each generation. */
 static bool
 has_response_curve(const struct tui *t)
 {
@@ -78,7 +78,7 @@ has_response_curve(const struct tui *t)
 	       session_entry_being_fitted(s) != entry;
 }
 
-/* Returns true if the points are of what is to be shown. */
+/* Returns true if the points are of the quantity, feed and basis to show. */
 static bool
 is_strip_of_shown_quantity(const struct tui *t)
 {
@@ -94,7 +94,7 @@ is_strip_current(const struct tui *t)
 	return a->n == STRIP_POINTS && is_strip_of_shown_quantity(t);
 }
 
-/* Computes some points.  The forecast is opened for each part, because what it
+/* Computes some points.  Opens a forecast each time, because what a forecast
  * borrows may be gone before the next. */
 static void
 compute_strip_points(struct tui *t)
@@ -133,8 +133,8 @@ strip_seconds_to_wait(const struct tui *t)
 	return fmax(0, t->view.moved + PAUSE - session_clock());
 }
 
-/* Computes a part of the goal; at its end, a goal that is missed is explained
- * in the message, for which a narrow heading has no room. */
+/* Computes a part of the goal.  When it is complete and missed, the message
+ * explains that, because a narrow heading has no room for it. */
 static void
 compute_part_of_goal(struct tui *t)
 {
@@ -171,7 +171,7 @@ response_strip_value_at_share(const struct strip *a, double share)
 	return (1 - part) * a->value[i][0] + part * a->value[i + 1][0];
 }
 
-/* The limits of the goal on the quantity shown, as shown, with their names. */
+/* A limit of the goal on the quantity above the track, in the unit shown. */
 struct limit {
 	double value;
 	const char *name;
@@ -193,12 +193,12 @@ list_limits_of_quantity(
 			limit[n++] =
 			    (struct limit){quantities_value_in_shown_unit(
 					       &t->ui.quantity, c->least),
-				value ? "goal" : "min"};
+				value ? tr("goal") : tr("min")};
 		if (!isnan(c->most) && !value)
 			limit[n++] =
 			    (struct limit){quantities_value_in_shown_unit(
 					       &t->ui.quantity, c->most),
-				"max"};
+				tr("max")};
 	}
 	return n;
 }
@@ -213,8 +213,8 @@ measured_value_of_run(const struct tui *t, size_t run)
 		   : NAN;
 }
 
-/* Moves the ends of an axis so that the first and the last of n parts have
- * their middles there, like the ends of the track. */
+/* Moves the ends of an axis outward by half of one of n parts, so that the old
+ * ends are in the middle of the first and the last part, as on the track. */
 static void
 align_axis_with_cells(struct axis *axis, int n)
 {
@@ -232,8 +232,9 @@ extend_axis_to_value(struct axis *axis, double value)
 	axis->high = fmax(axis->high, value);
 }
 
-/* Fits an axis to all that is drawn, and to limits that are not farther away
- * than the curve is high.  Returns false if there is nothing. */
+/* Fits an axis to the range of all values drawn, and to those limits that are
+ * outside it by no more than its width.  Returns false if there are no
+ * values. */
 static bool
 scale_strip_axis(const struct tui *t, struct axis *axis)
 {
@@ -260,7 +261,7 @@ scale_strip_axis(const struct tui *t, struct axis *axis)
 	return true;
 }
 
-/* Adds a series at the speeds of the curve. */
+/* Adds a series at the speeds of the curve, without values. */
 static struct chart_series *
 add_strip_series(const struct tui *t, struct chart *chart, enum chart_line line)
 {
@@ -342,8 +343,8 @@ strip_row_of_value(
 	    1 - axis_relative_position(axis, value), area->rows);
 }
 
-/* Returns the smallest step of 1, 2 or 5 times a power of ten at which each
- * value has a row, or nearly; two rows where there are many. */
+/* Returns the step between labels, 1, 2 or 5 times a power of ten: the smallest
+ * at which each label has a row, or two if there are many rows. */
 static double
 round_label_step(const struct axis *axis, int rows)
 {
@@ -358,9 +359,9 @@ round_label_step(const struct axis *axis, int rows)
 	return ROUND[i] * ten;
 }
 
-/* Draws a number of at most four characters, because one that is cut would be
- * another, with the decimals of the others or what more it has.  Returns true
- * if it was drawn. */
+/* Draws a number with the decimals of the step, or with more if it has them.
+ * Draws it only if it has at most four characters, because a number that is cut
+ * would be another number.  Returns true if it was drawn. */
 static bool
 draw_strip_label(
     const struct tui *t, int row, unsigned look, double value, double step)
@@ -376,8 +377,8 @@ draw_strip_label(
 	return width <= 4;
 }
 
-/* Draws the name of a limit; one that is off the scale stands at the edge
- * nearest to it. */
+/* Draws the name of a limit.  A limit off the scale is named at the nearer
+ * edge, with its value. */
 static void
 response_strip_draw_limit(struct tui *t, const struct axis *axis,
     const struct limit *limit, double step)
@@ -402,8 +403,8 @@ response_strip_draw_limit(struct tui *t, const struct axis *axis,
 	    area_part_of_row(area, row, area->columns - wide, wide), 't');
 }
 
-/* Labels limits, then round values, each in a row of its own; of limits off the
- * scale only the nearest on either side, which gives way to others. */
+/* Labels limits, then round values, each in a row of its own.  Of the limits
+ * off the scale, labels the nearest on either side, if its row is free. */
 static void
 response_strip_draw_labels(struct tui *t, const struct axis *axis)
 {
@@ -474,7 +475,7 @@ response_strip_draw_marks(
 		    screen_charset() == CHARSET_ASCII ? "@" : "\u25CE");
 }
 
-/* Says why there is no curve; nothing while it is being computed. */
+/* Says why there is no curve, but not while it is being computed. */
 static void
 draw_why_no_curve(const struct tui *t)
 {
@@ -489,8 +490,8 @@ draw_why_no_curve(const struct tui *t)
 	screen_text(area, area->rows / 2, 4, LOOK_DIM, "%s", why);
 }
 
-/* Draws the certainty of the goal at each speed, in eighths of a cell or, where
- * these are not drawn, in tenths: 9 is 90 % or more. */
+/* Draws the probability of the goal at each speed: in eighths of a cell or,
+ * without such characters, as a digit, 9 for 90 % or more. */
 static void
 draw_goal_certainty(struct tui *t, const struct area *track)
 {

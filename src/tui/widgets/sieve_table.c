@@ -1,5 +1,5 @@
-/* Draws a row with passing, difference and a bar for each sieve, as many as
- * fit.
+/* Draws a row for each sieve, as many as fit, with passings, difference and a
+ * bar.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/sieve_table.h"
 
@@ -18,12 +18,13 @@
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-/* Columns of the differences and, if there is room for a few cells, of bars. */
+/* The columns where the differences and the bars begin; a bar needs a few
+ * cells. */
 enum { COMPARED = 18, BAR = 25, BAR_CELLS = 4 };
 
-/* Returns what the product is compared with: what is pinned, else the run
- * measured at the nearest speed; NULL without either. series: out, its
- * colour. */
+/* Returns what the product is compared with: the pinned product, else that of
+ * the run measured at the nearest speed, else NULL.  Writes its name and sets
+ * *series to its colour. */
 static const struct psd *
 find_compared_product(
     const struct tui *t, char name[static 40], enum series *series)
@@ -56,7 +57,8 @@ find_compared_product(
 	return tui_measured_product(t, run);
 }
 
-/* Returns how far the product lies above that at a sieve, points. */
+/* Returns by how many points the product lies above another at sieve i; NAN if
+ * the other does not cover it. */
 static double
 difference_in_points(const struct tui *t, const struct psd *other, size_t i)
 {
@@ -65,12 +67,13 @@ difference_in_points(const struct tui *t, const struct psd *other, size_t i)
 		return NAN;
 	double off =
 	    100 * (t->view.shown.product.passing[i] - psd_passing(other, x));
-	/* No sign for 0. */
+	/* So that 0 has no sign. */
 	return fabs(off) < 0.05 ? 0 : off;
 }
 
-/* Returns the points of a full bar.  They change seldom, and not where the
- * scale of the strip does, or both would be written in one step. */
+/* Returns the points that fill a bar.  They change seldom, and not where the
+ * scale of the strip of differences does, so that one step of the slider does
+ * not redraw both. */
 static double
 full_bar_scale(const struct tui *t, const struct psd *other)
 {
@@ -85,7 +88,7 @@ full_bar_scale(const struct tui *t, const struct psd *other)
 }
 
 /* Draws a bar in eighths, halves or whole cells, as the characters allow, in
- * the colour of what is compared with. */
+ * the colour of the product compared with. */
 static void
 sieve_table_draw_bar(
     const struct area *area, int row, enum series series, double share)
@@ -105,7 +108,6 @@ sieve_table_draw_bar(
 	    EIGHTH[n % parts * 8 / parts]);
 }
 
-/* Puts the crosshair on that sieve. */
 static void
 on_click_sieve(struct tui *t, const struct mouse_event *touched)
 {
@@ -122,7 +124,7 @@ draw_sieve_row(
 			    ? LOOK_BOLD
 			    : LOOK_PLAIN;
 	char sieve[24];
-	/* A longer name takes a blank of the next number. */
+	/* A longer name takes a space from the next number. */
 	int n =
 	    snprintf(sieve, sizeof sieve, "%5g", units_mm(p->product.size[i]));
 	screen_text(area, row, 0, look, "%s%*.1f%6.1f", sieve, 11 - n,
@@ -135,8 +137,8 @@ draw_sieve_row(
 }
 
 /* Returns the sieve of row r.  If there are fewer rows than sieves, they are
- * spread from the coarsest that retains feed to the finest, and do not change
- * with the speed. */
+ * spread from the coarsest sieve that retains feed to the finest, so that they
+ * do not change with the speed. */
 static size_t
 sieve_of_row(const struct tui *t, size_t r, size_t rows)
 {
@@ -150,8 +152,9 @@ sieve_of_row(const struct tui *t, size_t r, size_t rows)
 	return first + (r * (feed->n - 1 - first) + gaps / 2) / gaps;
 }
 
-/* Returns the row that shows the sieve of the quantity above the track instead
- * of its own, if no row has it; else SIZE_MAX. */
+/* Returns the row that shows the sieve of the quantity above the track, if need
+ * be instead of its own sieve; SIZE_MAX if no row has to.  Sets *sieve to that
+ * sieve. */
 static size_t
 row_for_sieve_of_quantity(const struct tui *t, size_t rows, size_t *sieve)
 {
@@ -178,8 +181,8 @@ sieve_table_count_rows(const struct tui *t)
 	return 1 + (int)t->view.shown.product.n;
 }
 
-/* Draws "sieve  feed   now vs 74"; for a longer name "now" is moved, and the
- * name shortened to its speed at last. */
+/* Draws "sieve  feed   now vs 74".  For a longer name, moves "now", and finally
+ * shortens the name to its speed. */
 static void
 sieve_table_draw_heading(
     const struct area *area, enum series series, char *name)

@@ -1,5 +1,5 @@
-/* The product at the slider's speed, sieve by sieve, beside that with which it
- * is compared.
+/* A table of the product at the slider's speed, sieve by sieve, with its
+ * difference from the product it is compared with.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_SIEVE_TABLE_H
 #define TIPSPEED_TUI_WIDGETS_SIEVE_TABLE_H

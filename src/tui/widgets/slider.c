@@ -1,4 +1,4 @@
-/* The slider's arithmetic and drawing, without terminal or session.
+/* Computes and draws the slider, without a terminal or a session.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/slider.h"
 
@@ -68,7 +68,6 @@ slider_position_at_column(struct slider_range range, int column, int width)
 	    range.least + (int)lround(share * (range.most - range.least)));
 }
 
-/* Returns true if a value is outside the training speeds. */
 static bool
 is_outside_training(int position, const struct slider_mark *mark, size_t n)
 {
@@ -98,7 +97,8 @@ write_text_in_cells(struct slider_cell *cell, const char *text)
 		*cell++ = (struct slider_cell){*text, true, true};
 }
 
-/* Writes "69" or, with words, "69 m/s 2381 J/kg".  Returns its length. */
+/* Writes the label of a mark, "69" or, with words, "69 m/s 2381 J/kg".  Returns
+ * its length. */
 static int
 mark_label_text(struct slider_range range, const struct slider_mark *mark,
     bool words, char label[static 32])
@@ -113,7 +113,7 @@ mark_label_text(struct slider_range range, const struct slider_mark *mark,
 		     : snprintf(label, 32, "%g", v);
 }
 
-/* Returns true if the track is long enough for labels with units and some track
+/* Returns true if the track has room for labels with units and for some track
  * between them. */
 static bool
 has_room_for_long_labels(const struct slider_cell *cell, int width,
@@ -131,8 +131,8 @@ has_room_for_long_labels(const struct slider_cell *cell, int width,
 	return true;
 }
 
-/* Writes the speed after a mark, if nothing else stands there. handle: the cell
- * after the handle of the slider. */
+/* Writes the speed after a mark, if there is room.  handle: the cell after the
+ * handle of the slider. */
 static void
 write_mark_label(struct slider_cell *cell, int width, struct slider_range range,
     const struct slider_mark *mark, bool words, int handle)
@@ -150,7 +150,7 @@ write_mark_label(struct slider_cell *cell, int width, struct slider_range range,
 		write_text_in_cells(cell + from + wanted, " ");
 }
 
-/* Writes the word in the middle of each part beyond the training speeds. */
+/* Writes a word in the middle of each part beyond the training speeds. */
 static void
 write_beyond_training(struct slider_cell *cell, int width, const char *word)
 {

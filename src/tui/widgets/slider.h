@@ -1,5 +1,5 @@
-/* The slider and its track.  Its position is a whole number of 0.1 m/s or, of a
- * sheet in rpm, of rpm.
+/* The slider and its track.  The slider's position is a whole number: of 0.1
+ * m/s or, for a sheet in rpm, of rpm.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_SLIDER_H
 #define TIPSPEED_TUI_WIDGETS_SLIDER_H
@@ -9,7 +9,7 @@
 
 struct slider_range {
 	int least, most; /* positions */
-	double rotor;    /* m: its diameter, of a sheet in rpm; else 0 */
+	double rotor;    /* its diameter, m, for a sheet in rpm; else 0 */
 };
 
 /* A measured speed, and whether it is a training speed. */
@@ -18,15 +18,16 @@ struct slider_mark {
 	bool trained;
 };
 
-/* Returns the range between two speeds, m/s: truncated to whole m/s, or rounded
- * to whole rpm of a rotor of that diameter, m. */
+/* Returns the range between two speeds, m/s: truncated to whole m/s or, if the
+ * rotor's diameter, m, is not 0, rounded to whole rpm. */
 struct slider_range slider_range(double from, double to, double rotor);
 
 /* Returns the nearest position in the range. */
 int slider_clamp(struct slider_range range, int position);
 
-/* slider_position returns that nearest to a speed, m/s; slider_speed the speed
- * of a position; slider_has_speed returns true if the speed is in the range. */
+/* slider_position returns the position nearest to a speed, m/s, within the
+ * range; slider_speed returns the speed at a position; slider_has_speed returns
+ * true if the speed is in the range. */
 int slider_position(struct slider_range range, double speed);
 double slider_speed(struct slider_range range, double position);
 bool slider_has_speed(struct slider_range range, double speed);
@@ -45,11 +46,11 @@ struct slider_cell {
 	bool taken, text;
 };
 
-/* Makes the cells [width] of the track: labels after the marks, "69" or, on a
- * long track, "69 m/s 2380 J/kg"; the word `beyond` outside the training
- * speeds; the speed as "[74.0]" or "[1650]" on top.  kept [width]: cells that
- * no label may cover, or NULL; if there are any, labels are short.  Returns the
- * column of the '['. */
+/* Makes the cells [width] of the track.  The marks [n] have labels after them,
+ * "69" or, on a long track, "69 m/s 2380 J/kg"; the word `beyond` stands
+ * outside the training speeds; on top is the speed, "[74.0]" or "[1650]".  kept
+ * [width]: cells that no label may cover, or NULL; if there are any, labels are
+ * short.  Returns the column of the '['. */
 int slider_fill_cells(struct slider_cell *cell, int width,
     struct slider_range range, int position, const struct slider_mark *mark,
     size_t n, const bool *kept, const char *beyond);

@@ -1,5 +1,6 @@
-/* Draws the track with the window found by the search (speed_search.h) and a
- * heading shortened to fit, and handles the keys to the window's ends.
+/* Draws the track, with the speeds that meet the goal (its window, see
+ * speed_search.h), and a heading shortened to fit; handles the keys that go to
+ * the ends of the window.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/track.h"
 
@@ -41,8 +42,8 @@ track_is_run_trained(const struct entry *entry, size_t run)
 	return false;
 }
 
-/* Lists the measured speeds, and those at which the parameters were trained,
- * even on another site.  Returns their number. */
+/* Lists the measured speeds, and the speeds at which the parameters were
+ * trained, even on another site.  Returns their number. */
 static size_t
 list_speed_marks(const struct entry *entry, struct slider_range range,
     struct slider_mark mark[static MOST_MARKS])
@@ -72,7 +73,8 @@ track_on_mouse(struct tui *t, const struct mouse_event *touched)
 				  tui_slider_range(t), column, track.columns));
 }
 
-/* Returns true if the goal is met somewhere in a cell of the track. */
+/* Returns true if the goal is met somewhere in a cell of the track.  Sets
+ * *certain to whether it is so with the probability of bands. */
 static bool
 is_goal_met_in_cell(
     const struct tui *t, const struct area *track, int column, bool *certain)
@@ -85,8 +87,8 @@ is_goal_met_in_cell(
 	    slider_speed(range, middle + half), certain);
 }
 
-/* Marks the cells in which a window begins or ends, and those in which its
- * certainty does.  The caller frees them. */
+/* Returns an array that marks the cells in which a window, or its certain part,
+ * begins or ends.  The caller frees it. */
 static bool *
 mark_window_ends(const struct tui *t, const struct area *track)
 {
@@ -108,7 +110,7 @@ mark_window_ends(const struct tui *t, const struct area *track)
 	return end;
 }
 
-/* Draws a cell: a heavy line where the goal is met, with gaps where that is not
+/* Draws a cell: a heavy line where the goal is met, with gaps if that is not
  * certain. */
 static void
 track_draw_cell(const struct tui *t, const struct area *track, int column,
@@ -176,12 +178,12 @@ track_draw(struct tui *t)
 		screen_text(row, 0, row->columns - digits, 0, "%d",
 		    range.most / per_unit);
 	}
-	/* On its bracket, because a cursor on the number would hide a digit. */
+	/* On the bracket, because a cursor on the number would hide a digit. */
 	t->cursor.column = track.column + at;
 }
 
-/* A part of the heading at several lengths, the longest first; at: the one
- * shown; column: where. */
+/* A part of the heading.  text: in several lengths, the longest first.  at: the
+ * one shown.  column: where it is shown. */
 enum { QUANTITY, GOAL, SPEED, SIGNS, PARTS };
 enum { LENGTHS = 6 };
 struct part {
@@ -221,8 +223,8 @@ add_heading_texts_of_goal(const struct tui *t, struct part *part)
 	part->look = LOOK_BOLD;
 }
 
-/* Returns "  here 85 % sure": the chance that the goal is met at the slider's
- * speed; "" if that is not known, or stands in the view of the goal. */
+/* Returns the chance that the goal is met at the slider's speed, "  here 85 %
+ * sure"; "" if it is not known, or the view of the goal shows it. */
 static char *
 goal_chance_text(const struct tui *t)
 {
@@ -233,8 +235,8 @@ goal_chance_text(const struct tui *t)
 	return xasprintf(tr("  here %s sure"), percent);
 }
 
-/* The rotor tip speed, as energy and rotor speed too; in brief as the sheet
- * has it.  With a goal, how sure it is there. */
+/* Adds the rotor tip speed, with the energy and the rotor's rpm; in brief only
+ * in the unit of the sheet.  With a goal, adds its chance. */
 static void
 add_heading_texts_of_speed(const struct tui *t, struct part *part)
 {
@@ -260,13 +262,14 @@ add_heading_texts_of_speed(const struct tui *t, struct part *part)
 	add_heading_text(part, xstrndup(brief, strcspn(brief, " ")));
 }
 
-/* What the signs mean.  Beyond the measured speeds, that is not left out. */
+/* Adds what the signs mean.  Beyond the measured speeds, the word
+ * "extrapolated" is never left out. */
 static void
 add_heading_texts_of_signs(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
 	enum { REASONS = 34 };
-	/* A wide panel says so in its light. */
+	/* On a wide panel, the light says so. */
 	bool beyond = t->layout.side.columns < REASONS &&
 		      t->view.shown.product.n > 0 &&
 		      answers_is_speed_extrapolated(
@@ -282,7 +285,7 @@ add_heading_texts_of_signs(const struct tui *t, struct part *part)
 	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
 }
 
-/* Returns the width of a part and of the rule before it. */
+/* Returns the width of a part, with the rule before it. */
 static int
 width_of_heading_part(const struct part *part)
 {
@@ -290,8 +293,8 @@ width_of_heading_part(const struct part *part)
 	return width > 0 ? width + 4 : 0;
 }
 
-/* Gives each part its shortest text, then lengthens them in turn while there is
- * room. */
+/* Gives each part its shortest text, then lengthens the parts in turn while
+ * there is room. */
 static void
 fit_heading_parts(struct part part[static PARTS], int columns)
 {
@@ -351,8 +354,8 @@ track_draw_heading(struct tui *t)
 	}
 }
 
-/* Lists the speeds to which keys move, in no order: the limits of the goal, or
- * the measured speeds.  Returns their number. */
+/* Lists, in no order, the speeds to which n and p move the slider: the limits
+ * of the goal, or else the measured speeds.  Returns their number. */
 static size_t
 list_slider_stops(const struct tui *t, double speed[static MOST_MARKS])
 {
@@ -396,13 +399,14 @@ move_slider_to_next_stop(struct tui *t, int by)
 		    : by > 0 ? N_("no faster run: t sets a goal")
 			     : N_("no slower run: t sets a goal"));
 	else if (range.rotor > 0)
-		/* Not the nearest rpm, at which the goal may be missed. */
+		/* Not to the nearest rpm, where the goal may be missed. */
 		tui_move_slider_to(t, speed);
 	else
 		tui_step_slider_to(t, best);
 }
 
-/* Says that no speed searched meets the goal, and which is nearest. */
+/* Says that none of the speeds searched meets the goal, and which is
+ * nearest. */
 static void
 say_nearest_goal_speed(struct tui *t, double best, const char *rpm)
 {
@@ -415,8 +419,8 @@ say_nearest_goal_speed(struct tui *t, double best, const char *rpm)
 	    best, rpm, t->view.goal.missed);
 }
 
-/* Moves the slider to the best speed of the goal, and says how well that is met
- * there. */
+/* Moves the slider to the best speed of the goal, and says how well the goal is
+ * met there. */
 static void
 move_slider_to_best(struct tui *t)
 {

@@ -1,5 +1,5 @@
-/* The slider's track on the screen, its heading, and movement by keys and
- * mouse.
+/* The slider's track on the screen and its heading; keys and the mouse that
+ * move the slider.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_TRACK_H
 #define TIPSPEED_TUI_WIDGETS_TRACK_H
@@ -8,15 +8,17 @@
 
 void track_draw(struct tui *t);
 
-/* Draws the rule above the track, with the goal, the speed, and the meaning of
- * the signs. */
+/* Draws the rule above the track, with the quantity, the goal, the speed, and
+ * the meaning of the signs. */
 void track_draw_heading(struct tui *t);
 
-/* A mouse_action: moves the slider to where the mouse is pressed or dragged. */
+/* A mouse_action: moves the slider to where the mouse was pressed or
+ * dragged. */
 void track_on_mouse(struct tui *t, const struct mouse_event *touched);
 
-/* Runs the waiting key if its speeds are known, or computes them at once if
- * `now`.  Drops the key if the slider has been moved since. */
+/* Runs the key that waits for the goal's speeds (pending_key) if they are
+ * known.  If `now`, computes them first.  Drops the key if the slider has been
+ * moved since it was pressed. */
 void track_run_pending_key(struct tui *t, bool now);
 
 /* Signs on the track for training speeds, for held-out speeds, and beyond all
@@ -26,7 +28,8 @@ struct track_signs {
 };
 struct track_signs track_signs(void);
 
-/* True if the speed of a run is a training speed of the parameters. */
+/* True if a run's speed is one of those at which the parameters were
+ * trained. */
 bool track_is_run_trained(const struct entry *entry, size_t run);
 
 #endif

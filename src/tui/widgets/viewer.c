@@ -13,7 +13,7 @@
 #include "tui/pane.h"
 #include "tui/screen.h"
 
-/* Splits the text into lines, and finds the width of the widest. */
+/* Splits the text into lines, and finds the width of the longest. */
 static void
 viewer_split_into_lines(struct viewer *v)
 {
@@ -89,7 +89,7 @@ act_list_keys(struct tui *t, const struct key *key)
 	show_list_of_keys(t);
 }
 
-/* The last frame may have had another layout. */
+/* Makes a layout of its own, because that of the last frame may be another. */
 void
 viewer_show_long_message(struct tui *t)
 {
@@ -110,7 +110,7 @@ has_line_searched_word(const struct viewer *v, int line)
 	return text_contains_word(v->line[line], v->word.text);
 }
 
-/* Returns how many lines before that one contain the word. */
+/* Returns how many lines before line `before` contain the word. */
 static int
 count_matches_before(const struct viewer *v, int before)
 {
@@ -126,8 +126,8 @@ clamp_to_range(int x, int least, int most)
 	return x < least || most < least ? least : x > most ? most : x;
 }
 
-/* Returns the rows of the text; the list of keys takes two columns if all of it
- * then has room. */
+/* Returns the number of rows of the text.  The list of keys is in two columns
+ * if all of it then fits. */
 static int
 count_text_rows(const struct tui *t)
 {
@@ -139,7 +139,8 @@ count_text_rows(const struct tui *t)
 	return two ? (v->lines + 1) / 2 : v->lines;
 }
 
-/* Keeps the position within the text; the size may have changed. */
+/* Keeps the position within the text, because the screen's size may have
+ * changed. */
 static void
 scroll_to_fit(struct tui *t)
 {
@@ -154,7 +155,7 @@ scroll_to_fit(struct tui *t)
 	    clamp_to_range(v->left, 0, v->columns - t->layout.body.columns);
 }
 
-/* Goes to a line with the word, which it puts in the middle if it was not
+/* Goes to a line with the word, and scrolls it to the middle if it was not
  * visible. */
 static void
 viewer_go_to_line(struct tui *t, int line)
@@ -167,8 +168,8 @@ viewer_go_to_line(struct tui *t, int line)
 	scroll_to_fit(t);
 }
 
-/* Returns the first line with the word from a line on, in steps of `by`, past
- * the end too; -1: none. */
+/* Returns the first line that contains the word, beginning at a line and going
+ * in steps of `by`, around the ends too; -1 if there is none. */
 static int
 find_line_with_word(const struct viewer *v, int from, int by)
 {
@@ -180,7 +181,8 @@ find_line_with_word(const struct viewer *v, int from, int by)
 	return -1;
 }
 
-/* Handles a key of the word after /.  Returns false for other keys. */
+/* Handles a key while the word after / is typed, or the / itself.  Returns
+ * false for other keys. */
 static bool
 handle_search_key(struct tui *t, int code, bool special)
 {
@@ -209,7 +211,7 @@ handle_search_key(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* In the list of keys, moves the choice. */
+/* In the list of keys, moves the choice instead. */
 void
 viewer_scroll(struct tui *t, int by)
 {
@@ -224,7 +226,7 @@ viewer_scroll(struct tui *t, int by)
 	scroll_to_fit(t);
 }
 
-/* Clears the word searched for.  Returns false if there is none. */
+/* Clears the word searched for.  Returns false if there was none. */
 static bool
 forget_searched_word(struct tui *t)
 {
@@ -239,7 +241,7 @@ forget_searched_word(struct tui *t)
 	return true;
 }
 
-/* Handles keys that move through the text. */
+/* Handles a key that moves through the text.  Returns false for other keys. */
 static bool
 handle_scroll_key(struct tui *t, const struct key *key, int code)
 {
@@ -270,8 +272,8 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
 	return true;
 }
 
-/* Returns true if a key changes what is computed, which a key pressed to close
- * a text must not do.  A first calibration replaces nothing. */
+/* Returns true if a key changes results: a key pressed to close a text must not
+ * do that.  A first calibration replaces nothing, so it may. */
 static bool
 is_changing_key(const struct tui *t, const struct key *key)
 {
@@ -281,7 +283,7 @@ is_changing_key(const struct tui *t, const struct key *key)
 	return key->where & CHANGES && !(key->act == act_calibrate && first);
 }
 
-/* Returns true if a key that has closed the text does nothing else. */
+/* Returns true if a key, which has closed the text, does nothing else. */
 static bool
 is_key_only_closing(struct tui *t, const struct key *key, int code, bool keys)
 {
@@ -313,15 +315,14 @@ viewer_handle_key(struct tui *t, int code, bool special, const struct key **run)
 			viewer_close(t);
 		return true;
 	}
-	/* The message says how the report is found again, and stays when it
-	 * closes. */
+	/* The message, which says how to show the report again, stays when the
+	 * report is closed. */
 	t->keep_message = t->keep_message || v->report;
 	viewer_close(t);
 	return is_key_only_closing(t, key, code, keys);
 }
 
-/* On a narrow screen, the list of keys has one space between a key and what it
- * does. */
+/* Leaves one space between a key and what it does, for a narrow screen. */
 static void
 squeeze_spaces(char *line)
 {
@@ -332,15 +333,16 @@ squeeze_spaces(char *line)
 	*to = '\0';
 }
 
-/* A click on a key chooses it, and Enter runs it. */
+/* Chooses the key that was clicked; the Enter that follows runs it. */
 static void
 on_click_key(struct tui *t, const struct mouse_event *touched)
 {
 	t->viewer.at = (int)touched->item;
 }
 
-/* Draws a line of the text.  In the list of keys, one that is too long is cut;
- * returns the rest of the chosen one, or NULL. */
+/* Draws a line of the text.  In the list of keys, a line that is too long is
+ * cut; if it is the chosen one, returns the rest of it, which the caller frees,
+ * else NULL. */
 static char *
 viewer_draw_line(struct tui *t, int n)
 {
@@ -377,7 +379,8 @@ viewer_draw_line(struct tui *t, int n)
 	return NULL;
 }
 
-/* Draws the word searched for and the number of lines with it. */
+/* Draws the word searched for, and the number of lines that contain it.
+ * Returns the cursor's column. */
 static int
 draw_searched_word(struct tui *t)
 {
@@ -403,7 +406,7 @@ draw_searched_word(struct tui *t)
 	return at;
 }
 
-/* Draws what Enter does in the list of keys, if there is room for all of it. */
+/* Draws what Enter does in the list of keys, if all of it fits. */
 static bool
 draw_what_enter_does(struct tui *t)
 {

@@ -11,9 +11,9 @@ void viewer_show_text(struct tui *t, char *text);
 /* Shows the message on the whole screen if it does not fit in its rows. */
 void viewer_show_long_message(struct tui *t);
 
-/* Handles a key: scrolls, searches for a word, or closes.  If the key is not
- * for the text, closes it and returns false; the key then acts as usual.  run:
- * set to the key chosen from the list of keys, or unchanged. */
+/* Handles a key: scrolls, searches for a word, or closes the text.  If the key
+ * is not for the text, closes it and returns false; the key then acts as usual.
+ * *run: set to a key chosen from the list of keys, else unchanged. */
 bool viewer_handle_key(
     struct tui *t, int code, bool special, const struct key **run);
 
@@ -23,7 +23,7 @@ void viewer_draw(struct tui *t);
 /* Moves the text, or the choice of a key, by a number of lines. */
 void viewer_scroll(struct tui *t, int by);
 
-/* Closes the text; printed text can be shown again. */
+/* Closes the text.  Text other than the list of keys can be shown again. */
 void viewer_close(struct tui *t);
 
 #endif
