@@ -67,7 +67,8 @@ for speed in 65 85; do
 	grep -q "predicted $speed m/s,2," fig9.csv || wrong="$wrong $speed"
 done
 [ "$(grep -c 'P50' fig8.csv)" = 19 ] && [ "$(grep -c 'table3/' fig10.csv)" = 19 ] &&
-	[ "$(grep -c ',loaded sites,\|"loaded, a' fig10.csv)" = 19 ] || wrong="$wrong sites"
+	[ "$(grep -c ',loaded sites,\|"loaded, a' fig10.csv)" = 19 ] &&
+	[ "$(grep -c '>Glanshamar<\|>Össjö<' fig10.svg)" = 4 ] || wrong="$wrong sites"
 result ${#wrong} "the numbers of each picture are beside it:$wrong"
 
 wrong=

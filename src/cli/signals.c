@@ -9,7 +9,9 @@
 
 #include "base/xalloc.h"
 
-static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
+/* ending: the first signal that ends the program, or 0. */
+static volatile sig_atomic_t interrupted, ending, asked, watching, stopped,
+    woken, resized;
 
 /* The signal mask while the program waits, which lets all handled signals
  * in. */
@@ -18,8 +20,10 @@ static sigset_t let_in;
 static void
 on_ending_signal(int signal)
 {
-	if (noted == 0 || noted == SIGINT)
-		noted = signal;
+	if (signal == SIGINT)
+		interrupted = 1;
+	else if (ending == 0)
+		ending = signal;
 }
 
 static void
@@ -97,7 +101,7 @@ signals_wait_with_mask(const sigset_t *mask, double seconds)
 bool
 signals_wait_for_input(double seconds)
 {
-	if (noted != 0 || stopped || woken || resized)
+	if (signals_pending() != 0 || stopped || woken || resized)
 		return false;
 	return signals_wait_with_mask(&let_in, seconds);
 }
@@ -160,27 +164,26 @@ signals_suspend_program(void)
 int
 signals_pending(void)
 {
-	return noted;
+	return ending != 0 ? ending : interrupted ? SIGINT : 0;
 }
 
 bool
 signals_is_end_wanted(void)
 {
-	return noted != 0 && noted != SIGINT;
+	return ending != 0;
 }
 
 void
 signals_forget_interrupt(void)
 {
-	/* A signal that arrives between these two is forgotten as well. */
-	if (noted == SIGINT)
-		noted = 0;
+	interrupted = 0;
 }
 
 int
 signals_exit_status(void)
 {
-	return noted != 0 ? 128 + noted : 0;
+	int signal = signals_pending();
+	return signal != 0 ? 128 + signal : 0;
 }
 
 bool
@@ -202,7 +205,7 @@ signals_is_stop_wanted(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-	if (noted != 0)
+	if (signals_pending() != 0)
 		return true;
 	sigpending(&held);
 	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||

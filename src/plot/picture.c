@@ -348,8 +348,8 @@ mark_box_taken(struct taken *taken, struct box box)
 	taken->box[taken->n++] = box;
 }
 
-/* Draws the label of a point to the right of its mark, to the left, above or
- * below; if there is no room, not at all. */
+/* Puts the name right of the mark, left of it, above or below, or else beside
+ * it but lower or higher.  Leaves it out if there is no room. */
 static void
 picture_draw_point_name(struct chart_page *p, const struct chart_series *s,
     size_t i, struct taken *taken)
@@ -359,10 +359,13 @@ picture_draw_point_name(struct chart_page *p, const struct chart_series *s,
 	const char *label = s->whose[i].label;
 	double x = page_x_of_value(p, s->x[i]), y = page_y_of_value(p, s->y[i]);
 	double wide = letter * text_width_in_columns(label);
-	const double left[] = {
-	    x + APART, x - APART - wide, x - wide / 2, x - wide / 2};
-	const double foot[] = {
-	    y + 3, y + 3, y - APART, y + APART + LETTERS_HIGH};
+	const double right = x + APART, before = x - APART - wide,
+		     middle = x - wide / 2, above = y - APART,
+		     below = y + APART + LETTERS_HIGH;
+	const double left[] = {right, before, middle, middle, right, before,
+	    right, before, right, before, right, before};
+	const double foot[] = {y + 3, y + 3, above, below, y, y, y + 6, y + 6,
+	    above, above, below, below};
 	for (size_t k = 0; k < ARRAY_LEN(left); k++) {
 		struct box box = {
 		    left[k], foot[k] - LETTERS_HIGH, left[k] + wide, foot[k]};

@@ -192,11 +192,10 @@ control_refresh_screen(struct tui *t)
 static void
 apply_page_settings(struct tui *t)
 {
-	static const struct partition SHARP = {0, 1};
 	const struct settings *set = &t->session->set;
 	struct error error = {0};
 	if (!quantities_parse_one(
-		set->quantity, &SHARP, &t->ui.quantity, &error))
+		set->quantity, &PARTITION_IDEAL, &t->ui.quantity, &error))
 		t->ui.quantity = strip_default_quantity();
 	t->ui.page = (enum page)set->page;
 	tui_clear_hits(t);

@@ -80,7 +80,7 @@ draw_header(struct tui *t)
 /* Moves the cursor to where the line is clicked. item: offset of the first byte
  * shown. */
 static void
-on_click_typed_line(struct tui *t, const struct touched *touched)
+on_click_typed_line(struct tui *t, const struct mouse_event *touched)
 {
 	const char *at = t->line.text + touched->item;
 	char left[TEXT_SHOWN];
@@ -213,7 +213,7 @@ draw_status_row(struct tui *t, const struct area *area)
 }
 
 static void
-on_click_completion(struct tui *t, const struct touched *touched)
+on_click_completion(struct tui *t, const struct mouse_event *touched)
 {
 	edit_use_completion(&t->line, touched->item);
 }
@@ -426,13 +426,13 @@ frame_draw_page(struct tui *t)
 
 /* Moves the slider by the wheel, over the track, the strip and the plot. */
 static void
-on_wheel_move_slider(struct tui *t, const struct touched *touched)
+on_wheel_move_slider(struct tui *t, const struct mouse_event *touched)
 {
 	tui_step_slider_to(t, tui_slider_position(t) - touched->by);
 }
 
 static void
-on_wheel_scroll_text(struct tui *t, const struct touched *touched)
+on_wheel_scroll_text(struct tui *t, const struct mouse_event *touched)
 {
 	viewer_scroll(t, touched->by);
 }

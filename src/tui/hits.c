@@ -54,7 +54,7 @@ call_hit_handler(struct tui *t, const struct hit *touch, enum hit_kind kind,
 {
 	int by = kind == HIT_UP ? -1 : kind == HIT_DOWN ? 1 : 0;
 	if (touch->way != NULL)
-		touch->way(t, &(struct touched){kind, row - touch->area.row,
+		touch->way(t, &(struct mouse_event){kind, row - touch->area.row,
 				  column - touch->area.column, by, touch->area,
 				  touch->item});
 }

@@ -25,7 +25,7 @@ enum hit_kind {
 /* A mouse event in an area.  row, column: from its top left; negative or beyond
  * the area after a drag out of it.  by: rows by which the wheel moves a list
  * down.  item: as passed to hits_add. */
-struct touched {
+struct mouse_event {
 	enum hit_kind kind;
 	int row, column, by;
 	struct area area;
@@ -33,7 +33,7 @@ struct touched {
 };
 
 /* Handles a mouse event. */
-typedef void mouse_action(struct tui *t, const struct touched *touched);
+typedef void mouse_action(struct tui *t, const struct mouse_event *touched);
 
 struct hit {
 	struct area area;

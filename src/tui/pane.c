@@ -60,7 +60,7 @@ pane_list_area(const struct tui *t)
 /* Handles a click on a plot: says what is drawn there, and lets the page
  * act. */
 static void
-on_click_plot(struct tui *t, const struct touched *touched)
+on_click_plot(struct tui *t, const struct mouse_event *touched)
 {
 	struct plots_found found;
 	if (touched->item >= t->n_drawn)

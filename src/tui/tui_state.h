@@ -237,7 +237,7 @@ struct view {
 /* A letter that may begin the name of a command, see word.h.  at: when it was
  * typed, s.  held: its key, if that has not acted yet, or NULL.  was: the
  * user's choices before the letter. */
-struct word {
+struct held_letter {
 	char letter;
 	double at;
 	const struct key *held;
@@ -278,7 +278,7 @@ struct tui {
 	struct edit line;      /* a command, or a goal */
 	struct edit speed;
 	struct edit filter; /* filter for the rows of a list */
-	struct word word;
+	struct held_letter word;
 	struct paste paste;
 	double pasted; /* when its last character came */
 	struct viewer viewer;

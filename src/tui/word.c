@@ -29,13 +29,13 @@ is_start_of_command(const char *letters)
 bool
 word_begin_command_line(struct tui *t, int code, bool special)
 {
-	struct word *w = &t->word;
+	struct held_letter *w = &t->word;
 	const char both[] = {w->letter, (char)code, '\0'};
 	if (w->letter == '\0' || !is_lower_case_letter(code, special) ||
 	    t->clock - w->at > GAP || !is_start_of_command(both))
 		return false;
 	t->ui = w->was;
-	*w = (struct word){0};
+	*w = (struct held_letter){0};
 	t->message[0] = '\0';
 	edit_begin(&t->line, both);
 	return true;
@@ -44,14 +44,15 @@ word_begin_command_line(struct tui *t, int code, bool special)
 bool
 word_delay_key(struct tui *t, int code, bool special, const struct key *key)
 {
-	struct word *w = &t->word;
-	*w = (struct word){0};
+	struct held_letter *w = &t->word;
+	*w = (struct held_letter){0};
 	if (t->aside || !is_lower_case_letter(code, special))
 		return false;
 	bool moves = key == NULL || key->act == act_move_list_or_slider ||
 		     key->act == act_move_to_end ||
 		     key->act == act_move_in_list;
-	*w = (struct word){(char)code, t->clock, moves ? NULL : key, t->ui};
+	*w = (struct held_letter){
+	    (char)code, t->clock, moves ? NULL : key, t->ui};
 	return !moves;
 }
 
@@ -66,6 +67,6 @@ const struct key *
 word_take_delayed_key(struct tui *t)
 {
 	const struct key *held = t->word.held;
-	t->word = (struct word){0};
+	t->word = (struct held_letter){0};
 	return held;
 }

@@ -17,7 +17,7 @@ struct asked {
 	struct question q;
 	struct condition at[CONDITIONS];
 	struct condition_list list;
-	struct wanted w;
+	struct conditions_search w;
 };
 
 static struct quantity

@@ -36,7 +36,7 @@ struct card_request {
 	struct forecast *cut;       /* the ranged figure, for new belt cuts */
 	struct condition_list list; /* limits of the product, or none */
 	bool of_goal; /* the limits are those of the session's goal */
-	struct wanted wanted;
+	struct conditions_search wanted;
 	struct plant plant; /* circuit NULL: no flow was asked for */
 	size_t n_line;
 	struct plant_stream_row *line;

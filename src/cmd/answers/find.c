@@ -29,7 +29,7 @@ struct find_request {
 	struct condition target; /* both limits are the value */
 	struct condition_list others;
 	const struct question *question;
-	struct wanted wanted; /* the others, then the target */
+	struct conditions_search wanted; /* the others, then the target */
 	struct speed_search *search;
 	double speed;
 	bool detail;
@@ -500,7 +500,7 @@ note_if_conditions_hold(struct answer *r, const struct find_request *goal)
 static double
 speed_nearest_to_goal(const struct find_request *goal)
 {
-	const struct wanted *w = &goal->wanted;
+	const struct conditions_search *w = &goal->wanted;
 	double wanted = target_in_shown_unit(goal, goal->target.least);
 	if (goal->kind != GOAL_VALUE)
 		return goal->search->best;
@@ -516,7 +516,7 @@ static void
 note_value_at_nearest_measured(
     struct answer *r, const struct find_request *goal, double speed)
 {
-	const struct wanted *w = &goal->wanted;
+	const struct conditions_search *w = &goal->wanted;
 	double near = conditions_nearest_measured_speed(w, speed);
 	if (isnan(near))
 		return;
@@ -535,7 +535,7 @@ note_goal_unattainable(
     struct answer *r, const struct find_request *goal, const char *words)
 {
 	const struct quantity *q = &goal->target.quantity;
-	const struct wanted *c = &goal->wanted;
+	const struct conditions_search *c = &goal->wanted;
 	int rises = quantity_change_if_finer(q);
 	double high = target_value_at_speed(goal, c->to),
 	       low = target_value_at_speed(goal, c->from);

@@ -51,7 +51,7 @@ struct report_request {
 	char *conditions, *envelope, *spec, *asked, *cut, *rate;
 	const struct question *q;
 	struct condition_list list;
-	struct wanted wanted;
+	struct conditions_search wanted;
 	struct speed_search *found;
 };
 

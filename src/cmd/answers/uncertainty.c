@@ -415,7 +415,8 @@ parse_speed_and_keywords(const struct args *args, struct question *q,
 			*next = true;
 		else
 			return error_set(error, ERROR_USAGE,
-			    "uncertainty: expected a speed or draws, got '%s'\n"
+			    "uncertainty: expected a speed, draws or next, got "
+			    "'%s'\n"
 			    "write: uncertainty 74",
 			    word);
 		given = given || number;

@@ -22,7 +22,7 @@
 struct window_request {
 	struct condition_list list;
 	const struct question *q;
-	struct wanted wanted;
+	struct conditions_search wanted;
 	struct speed_search *w;
 	bool detail;
 };

@@ -330,15 +330,14 @@ conditions_is_likely_complete(const char *text)
 	struct error none = {0};
 	struct quantity q;
 	if (of != NULL)
-		return quantities_parse_one(
-		    of, &(struct partition){0, 1}, &q, &none);
-	static const struct fraction WHOLE = {.partition = {0, 1}};
+		return quantities_parse_one(of, &PARTITION_IDEAL, &q, &none);
+	const struct fraction whole = {.partition = PARTITION_IDEAL};
 	FREED char *with = replace_words_by_sign(text);
 	const char *sign = strpbrk(with, "<>=");
 	if (sign != NULL)
 		return strpbrk(sign, DIGITS) != NULL;
 	struct condition c;
-	FREED char *name = split_quantity_and_limit(with, &WHOLE, &c);
+	FREED char *name = split_quantity_and_limit(with, &whole, &c);
 	return name != NULL;
 }
 
@@ -565,7 +564,8 @@ conditions_met_speeds_text(
 /* Returns a suffix such as ", up to the fastest asked", to be translated, if an
  * end of the range is only that of the search; otherwise "". */
 static const char *
-search_end_suffix(const struct wanted *wanted, double from, double to)
+search_end_suffix(
+    const struct conditions_search *wanted, double from, double to)
 {
 	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
 	return slowest && fastest ? N_(", all speeds asked")
@@ -576,7 +576,7 @@ search_end_suffix(const struct wanted *wanted, double from, double to)
 
 char *
 conditions_met_speeds_with_units(
-    const struct wanted *wanted, const struct speed_search *found)
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	double rotor = wanted->entry->site->rotor;
 	size_t n = found->n_inside;
@@ -593,7 +593,8 @@ conditions_met_speeds_with_units(
 /* Returns the distance between the value at the forecast's speed and the limit
  * of the margin, in the quantity's unit; negative if the limit is missed. */
 static double
-margin_in_quantity_unit(const struct wanted *wanted, struct margin margin)
+margin_in_quantity_unit(
+    const struct conditions_search *wanted, struct margin margin)
 {
 	size_t i = margin.limit.i;
 	if (i == SIZE_MAX || quantities_unit(&wanted->at[i].quantity)[0] == '%')
@@ -608,7 +609,8 @@ margin_in_quantity_unit(const struct wanted *wanted, struct margin margin)
 }
 
 char *
-conditions_margin_text(const struct wanted *wanted, struct margin margin)
+conditions_margin_text(
+    const struct conditions_search *wanted, struct margin margin)
 {
 	const struct quantity *q = &wanted->at[margin.limit.i].quantity;
 	double points = fabs(100 * margin.passing);
@@ -622,7 +624,7 @@ conditions_margin_text(const struct wanted *wanted, struct margin margin)
 }
 
 void
-conditions_put_list(struct fields *o, const struct wanted *wanted,
+conditions_put_list(struct fields *o, const struct conditions_search *wanted,
     const struct speed_search *found)
 {
 	struct fields *list = fields_add_list(o, "conditions");
@@ -646,7 +648,7 @@ conditions_put_list(struct fields *o, const struct wanted *wanted,
 /* Adds a row for each condition.  For people, the margin is in the quantity's
  * unit; for programs, in points. */
 static void
-add_condition_rows(struct answer *r, const struct wanted *wanted,
+add_condition_rows(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found, bool people)
 {
 	double rotor = people ? wanted->entry->site->rotor : 0;
@@ -690,7 +692,7 @@ add_condition_rows(struct answer *r, const struct wanted *wanted,
 }
 
 void
-conditions_add_rows(struct answer *r, const struct wanted *wanted,
+conditions_add_rows(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found)
 {
 	add_condition_rows(r, wanted, found, true);
@@ -698,20 +700,21 @@ conditions_add_rows(struct answer *r, const struct wanted *wanted,
 	add_condition_rows(r, wanted, found, false);
 }
 
-struct wanted
+struct conditions_search
 conditions_open_search(const struct session *s, const struct question *q,
     const struct condition_list *list, const struct condition *target)
 {
 	const struct quantity *more = target != NULL ? &target->quantity : NULL;
-	struct wanted w =
+	struct conditions_search w =
 	    wanted_from_question(s, q, list->n, list->at, more != NULL, more);
 	w.target = target;
 	return w;
 }
 
 bool
-conditions_note_feed_is_finer(struct answer *r, const struct wanted *wanted,
-    const struct condition *c, bool most)
+conditions_note_feed_is_finer(struct answer *r,
+    const struct conditions_search *wanted, const struct condition *c,
+    bool most)
 {
 	const struct quantity *q = &c->quantity;
 	int rises = quantity_change_if_finer(q);
@@ -731,7 +734,7 @@ conditions_note_feed_is_finer(struct answer *r, const struct wanted *wanted,
 
 /* As conditions_note_feed_is_finer, for the limit missed at the best speed. */
 static bool
-note_feed_misses_limit(struct answer *r, const struct wanted *wanted,
+note_feed_misses_limit(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found)
 {
 	struct wanted_limit missed = found->margin.limit;
@@ -742,8 +745,8 @@ note_feed_misses_limit(struct answer *r, const struct wanted *wanted,
 /* Notes the limits that exclude slower and faster speeds than the best one.
  * Nothing is known beyond the ends of the search. */
 static void
-note_conflicting_limits(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found)
+note_conflicting_limits(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct wanted_limit low = found->low, high = found->high;
 	if (note_feed_misses_limit(r, wanted, found))
@@ -775,7 +778,8 @@ conditions_decimals_of_miss(double points)
 }
 
 double
-conditions_nearest_measured_speed(const struct wanted *wanted, double speed)
+conditions_nearest_measured_speed(
+    const struct conditions_search *wanted, double speed)
 {
 	const struct site *site = wanted->entry->site;
 	double near = NAN, slowest = INFINITY, fastest = -INFINITY;
@@ -793,8 +797,8 @@ conditions_nearest_measured_speed(const struct wanted *wanted, double speed)
 /* If the best speed is beyond the measured ones, notes by how much the nearest
  * measured speed misses.  Leaves the forecast at the best speed. */
 static void
-note_nearest_measured_speed(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found)
+note_nearest_measured_speed(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct site *site = wanted->entry->site;
 	double near = conditions_nearest_measured_speed(wanted, found->best);
@@ -813,8 +817,8 @@ note_nearest_measured_speed(struct answer *r, const struct wanted *wanted,
 }
 
 void
-conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found)
+conditions_note_why_unmet(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const char *what =
 	    wanted->n > 1 ? tr("all conditions") : tr("the condition");
@@ -854,7 +858,7 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
  * measured speeds, or NAN if neither end is beyond them. */
 static double
 farthest_extrapolated_end(
-    const struct wanted *wanted, const struct speed_search *found)
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct speed_range *in = speed_search_best_range(found);
 	if (in == NULL)
@@ -868,7 +872,8 @@ farthest_extrapolated_end(
 
 void
 conditions_show_basis(struct answer *r, const struct question *q,
-    const struct wanted *wanted, const struct speed_search *found, double speed)
+    const struct conditions_search *wanted, const struct speed_search *found,
+    double speed)
 {
 	const struct session *s = wanted->s;
 	const double at[] = {speed, farthest_extrapolated_end(wanted, found)};
@@ -898,7 +903,7 @@ conditions_show_basis(struct answer *r, const struct question *q,
 /* True if the slow or, if `fast`, the fast end of the search is so far beyond
  * the measured speeds that answers there cannot be relied on. */
 static bool
-is_end_unreliable(const struct wanted *wanted, bool fast)
+is_end_unreliable(const struct conditions_search *wanted, bool fast)
 {
 	return fast ? wanted->to > wanted->measured[1] + wanted->reach
 		    : wanted->from < wanted->measured[0] - wanted->reach;
@@ -917,8 +922,8 @@ search_end_as_typed(const struct site *site, double speed, bool fastest)
 }
 
 void
-conditions_note_unsearched_speeds(
-    struct answer *r, const struct wanted *wanted, bool slower, bool faster)
+conditions_note_unsearched_speeds(struct answer *r,
+    const struct conditions_search *wanted, bool slower, bool faster)
 {
 	const double more = 15;
 	const struct site *site = wanted->entry->site;
@@ -942,8 +947,8 @@ conditions_note_unsearched_speeds(
 }
 
 void
-conditions_note_no_reliable_speed(
-    struct answer *r, const struct wanted *wanted, bool slower, bool faster)
+conditions_note_no_reliable_speed(struct answer *r,
+    const struct conditions_search *wanted, bool slower, bool faster)
 {
 	bool all_measured = wanted->from <= wanted->measured[0] &&
 			    wanted->to >= wanted->measured[1];
@@ -976,8 +981,8 @@ conditions_times_in_100_text(double share)
  * in 100", or "best 84.9 m/s, .." if the answer there is not to be relied on.
  * The caller frees it. */
 static char *
-speed_to_run_at_text(
-    const struct wanted *wanted, bool several, const struct speed_search *w)
+speed_to_run_at_text(const struct conditions_search *wanted, bool several,
+    const struct speed_search *w)
 {
 	const struct entry *entry = wanted->entry;
 	bool beyond = answers_is_speed_extrapolated(entry, w->best);
@@ -1010,7 +1015,7 @@ speed_to_run_at_text(
 /* Notes which speed to run at, and in which range the conditions hold with the
  * probability of the band. */
 static void
-note_speed_to_run_at(struct answer *r, const struct wanted *wanted,
+note_speed_to_run_at(struct answer *r, const struct conditions_search *wanted,
     bool several, const struct speed_search *w)
 {
 	double level = 100 * wanted->level;
@@ -1030,8 +1035,8 @@ note_speed_to_run_at(struct answer *r, const struct wanted *wanted,
 }
 
 static void
-note_slowest_safe_speed(
-    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
+note_slowest_safe_speed(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *w)
 {
 	FREED char *rpm =
 	    rotor_speed_rpm_text(wanted->entry->site->rotor, w->safe, NAN);
@@ -1045,8 +1050,8 @@ note_slowest_safe_speed(
 /* If the answer meets the conditions at no speed, notes where they are most
  * likely to hold. */
 static void
-note_certainty_where_unmet(
-    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
+note_certainty_where_unmet(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *w)
 {
 	size_t most = 0;
 	for (size_t k = 0; k < w->n; k++)
@@ -1068,8 +1073,9 @@ note_certainty_where_unmet(
 }
 
 void
-conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
-    bool several, bool detail, const struct speed_search *w)
+conditions_note_best_speed(struct answer *r,
+    const struct conditions_search *wanted, bool several, bool detail,
+    const struct speed_search *w)
 {
 	if (w->n_inside > 0) {
 		note_speed_to_run_at(r, wanted, several, w);

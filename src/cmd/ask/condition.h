@@ -79,16 +79,16 @@ char *conditions_limit_text(
  * puts a list "conditions" with an object for each.  They have the limits, the
  * value at the forecast's speed with its band, the margin, and the range of
  * speeds in which this condition holds, whatever the others do. */
-void conditions_add_rows(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found);
-void conditions_put_list(struct fields *o, const struct wanted *wanted,
-    const struct speed_search *found);
+void conditions_add_rows(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found);
+void conditions_put_list(struct fields *o,
+    const struct conditions_search *wanted, const struct speed_search *found);
 
 /* Prepares a search over settings_default_speed_range for a question's product,
  * the conditions in the list and a target, or NULL.  The list may be empty if
  * only the target is sought.  List and target must outlive the result; free its
  * `forecast` with forecast_close. */
-struct wanted conditions_open_search(const struct session *s,
+struct conditions_search conditions_open_search(const struct session *s,
     const struct question *q, const struct condition_list *list,
     const struct condition *target);
 
@@ -99,11 +99,12 @@ struct wanted conditions_open_search(const struct session *s,
 char *conditions_met_speeds_text(
     const struct speed_search *found, const struct site *site);
 char *conditions_met_speeds_with_units(
-    const struct wanted *wanted, const struct speed_search *found);
+    const struct conditions_search *wanted, const struct speed_search *found);
 
 /* Returns the distance between the value at the forecast's speed and the limit
  * of the margin, as "2.99 mm" or "6.9 points".  The caller frees it. */
-char *conditions_margin_text(const struct wanted *wanted, struct margin margin);
+char *conditions_margin_text(
+    const struct conditions_search *wanted, struct margin margin);
 
 /* Returns "max 2/5" for a text such as "most 2/5", which find does not
  * understand; NULL if the text begins with no such word.  The caller frees it.
@@ -117,40 +118,42 @@ int conditions_decimals_of_miss(double points);
 /* Returns the measured speed, m/s, nearest to a speed outside the measured
  * range; NAN if the speed is inside it or none was measured. */
 double conditions_nearest_measured_speed(
-    const struct wanted *wanted, double speed);
+    const struct conditions_search *wanted, double speed);
 
 /* If no speed meets all conditions, notes which conditions prevent it, and
  * whether the feed alone does.  Leaves the forecast at the best speed. */
-void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found);
+void conditions_note_why_unmet(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found);
 
 /* If the feed itself is already too fine for a limit of the condition (its
  * upper limit if `most`), notes that no speed can help, and returns true. */
 bool conditions_note_feed_is_finer(struct answer *r,
-    const struct wanted *wanted, const struct condition *c, bool most);
+    const struct conditions_search *wanted, const struct condition *c,
+    bool most);
 
 /* Notes which speed to run at, and the range of speeds in which the conditions
  * hold with the probability of the band; if `detail`, also the slowest safe
  * speed.  If the answer meets the conditions at no speed, notes where they are
  * most likely to hold.  several: there is more than one condition. */
-void conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
-    bool several, bool detail, const struct speed_search *w);
+void conditions_note_best_speed(struct answer *r,
+    const struct conditions_search *wanted, bool several, bool detail,
+    const struct speed_search *w);
 
 /* As answers_show_basis, for an answer at one speed of a range.  If an end of
  * the range beyond the measured speeds has a worse light, the answer gets that
  * one, and both are shown. */
 void conditions_show_basis(struct answer *r, const struct question *q,
-    const struct wanted *wanted, const struct speed_search *found,
+    const struct conditions_search *wanted, const struct speed_search *found,
     double speed);
 
 /* conditions_note_unsearched_speeds notes that slower or faster speeds were not
  * searched, and how to search them, unless no answer there can be relied on;
  * conditions_note_no_reliable_speed does so, or says why not, if no speed was
  * found. */
-void conditions_note_unsearched_speeds(
-    struct answer *r, const struct wanted *wanted, bool slower, bool faster);
-void conditions_note_no_reliable_speed(
-    struct answer *r, const struct wanted *wanted, bool slower, bool faster);
+void conditions_note_unsearched_speeds(struct answer *r,
+    const struct conditions_search *wanted, bool slower, bool faster);
+void conditions_note_no_reliable_speed(struct answer *r,
+    const struct conditions_search *wanted, bool slower, bool faster);
 
 /* Returns "92 %", but "over 99 %" and "under 1 %" at the ends, because a number
  * of draws never proves certainty.  The caller frees it. */

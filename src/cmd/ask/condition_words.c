@@ -79,12 +79,11 @@ join_words_of_condition(struct words *words, size_t i)
 static bool
 is_last_quantity_complete(const char *text)
 {
-	static const struct partition SHARP = {0, 1};
 	const char *comma = strrchr(text, ',');
 	struct quantity q;
 	struct error none = {0};
 	return quantities_parse_one(
-	    comma != NULL ? comma + 1 : text, &SHARP, &q, &none);
+	    comma != NULL ? comma + 1 : text, &PARTITION_IDEAL, &q, &none);
 }
 
 /* True if one of the words has a limit, "< 5" or "= 40..50". */

@@ -43,7 +43,7 @@ struct grading {
 	const struct modulus *modulus;
 	/* The limits as conditions; its forecast also has the fraction's share
 	 * of the product and, if there is one, the modulus. */
-	struct wanted conditions;
+	struct conditions_search conditions;
 };
 
 /* Opens the comparison with an envelope.  The options cut, sharpness and

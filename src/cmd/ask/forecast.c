@@ -13,7 +13,7 @@
 
 /* Where a forecast gets its draws from.  They are cached until another site or
  * feed is asked about. */
-struct asker {
+struct draws_source {
 	const struct session *s;
 	const struct entry *entry;
 	size_t feed;
@@ -27,8 +27,8 @@ forecast_open(const struct session *s, const struct question *q,
 	const struct entry *entry = q->entry;
 	const struct psd *feed = site_feed_of_run(entry->site, q->feed);
 	struct psd sizes = predict_table_sizes(entry->site, feed);
-	struct asker *asker = xcalloc(1, sizeof *asker);
-	*asker = (struct asker){
+	struct draws_source *asker = xcalloc(1, sizeof *asker);
+	*asker = (struct draws_source){
 	    s, entry, q->feed, q->params != NULL ? q->params : &entry->params};
 	struct forecast *f = forecast_new(feed, sizes.size, sizes.n, quantity,
 	    n, asker->params, model_settings_of_answer(s, entry), q->level);
@@ -51,7 +51,7 @@ void
 forecast_set_speed_and_draws(
     struct forecast *f, double speed, enum ensemble_part part)
 {
-	const struct asker *a = forecast_asker(f);
+	const struct draws_source *a = forecast_asker(f);
 	struct ensemble *e =
 	    posterior_for_answers(a->s, a->entry, a->params) != NULL
 		? ensemble_for_answers(a->s, a->entry, a->feed)

@@ -16,8 +16,6 @@
 #include "cmd/ask/asked.h"
 #include "core/psd/rotor_speed.h"
 
-static const struct fraction WHOLE = {.partition = {0, 1}};
-
 /* Speeds searched in one step. */
 enum { PART = 6 };
 
@@ -58,11 +56,12 @@ static bool
 add_limits_of_named_envelope(struct session *s, const char *name,
     const struct psd *feed, struct condition_list *list, struct error *error)
 {
+	const struct fraction whole = {.partition = PARTITION_IDEAL};
 	const struct spec *spec = envelope_find(s, name, error);
 	size_t i = list->n;
 	bool ok = spec != NULL &&
 		  (feed == NULL ||
-		      conditions_add_envelope(spec, &WHOLE, feed, list, error));
+		      conditions_add_envelope(spec, &whole, feed, list, error));
 	for (; ok && i < list->n; i++) {
 		struct condition *c = &list->at[i];
 		if (is_single_value(c) && c->least > 0)
@@ -80,10 +79,11 @@ static bool
 parse_condition_or_envelope(struct session *s, const char *text,
     const struct psd *feed, struct condition_list *list, struct error *error)
 {
+	const struct fraction whole = {.partition = PARTITION_IDEAL};
 	struct condition c;
 	if (!goals_is_condition(text))
 		return add_limits_of_named_envelope(s, text, feed, list, error);
-	if (!conditions_parse_one(text, &WHOLE, &c, error) ||
+	if (!conditions_parse_one(text, &whole, &c, error) ||
 	    (feed != NULL && !conditions_check_feed_covers(&c, feed, error)))
 		return false;
 	conditions_add(list, c);
@@ -191,7 +191,7 @@ missed_value_text(const struct condition *c, double value, bool most)
  * stands in the way. */
 static void
 find_binding_condition(const struct session *s, const struct entry *entry,
-    struct goal *g, struct wanted all)
+    struct goal *g, struct conditions_search all)
 {
 	double best = goals_best_speed(s, g, answers_default_speed(entry));
 	bool met = g->n_met > 0 || (g->n_value == 0 && g->found->n_inside > 0);
@@ -245,7 +245,7 @@ goals_step_search(
 	struct question q = question_of_whole_product(s, entry, feed);
 	struct condition_list ranges = {
 	    .n = g->list.n - g->n_value, .at = g->list.at};
-	struct wanted w = conditions_open_search(
+	struct conditions_search w = conditions_open_search(
 	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);
 	if (g->found == NULL)
 		g->found = speed_search_new(&w);

@@ -240,7 +240,6 @@ quantities_parse_one(const char *text, const struct partition *partition,
 bool
 quantities_is_beginning_of_text(const char *text)
 {
-	static const struct partition SHARP = {0, 1};
 	struct quantity q;
 	struct error error = {0};
 	FREED char *word = xstrndup(text, strcspn(text, " \t<>="));
@@ -251,7 +250,7 @@ quantities_is_beginning_of_text(const char *text)
 		    strncasecmp(first, word, n) == 0)
 			return true;
 	}
-	return quantities_parse_one(word, &SHARP, &q, &error);
+	return quantities_parse_one(word, &PARTITION_IDEAL, &q, &error);
 }
 
 bool

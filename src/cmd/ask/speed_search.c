@@ -53,7 +53,7 @@ conditions_free(struct condition_list *list)
 	*list = (struct condition_list){0};
 }
 
-struct wanted
+struct conditions_search
 wanted_from_question(const struct session *s, const struct question *q,
     size_t n, const struct condition *at, size_t n_more,
     const struct quantity *more)
@@ -63,7 +63,7 @@ wanted_from_question(const struct session *s, const struct question *q,
 		asked[i] = at[i].quantity;
 	for (size_t i = 0; i < n_more; i++)
 		asked[n + i] = more[i];
-	struct wanted w = {.s = s,
+	struct conditions_search w = {.s = s,
 	    .entry = q->entry,
 	    .feed = q->feed,
 	    .level = q->level,
@@ -118,7 +118,8 @@ room_to_limit(double over, bool most, bool tight)
  * there is none, or none that a value can exceed.  *tight: no value lies beyond
  * it. */
 static struct margin
-margin_in_answer(const struct wanted *w, struct wanted_limit of, bool *tight)
+margin_in_answer(
+    const struct conditions_search *w, struct wanted_limit of, bool *tight)
 {
 	const struct condition *c = &w->at[of.i];
 	double limit = of.most ? c->most : c->least;
@@ -135,7 +136,8 @@ margin_in_answer(const struct wanted *w, struct wanted_limit of, bool *tight)
 /* As margin_in_answer, with widths of the band.  Sets held [DRAWS] to false for
  * each draw in which the limit does not hold. */
 static struct margin
-margin_in_draws(const struct wanted *w, struct wanted_limit of, bool *held)
+margin_in_draws(
+    const struct conditions_search *w, struct wanted_limit of, bool *held)
 {
 	double over[DRAWS], low, high;
 	bool tight;
@@ -160,7 +162,8 @@ margin_in_draws(const struct wanted *w, struct wanted_limit of, bool *held)
  * if i is SIZE_MAX; NAN for a model alone.  Sets margin [w->n + 1] to the
  * margins of these conditions and, last, the smallest of them. */
 static double
-evaluate_conditions(const struct wanted *w, size_t i, struct margin *margin)
+evaluate_conditions(
+    const struct conditions_search *w, size_t i, struct margin *margin)
 {
 	bool held[DRAWS];
 	size_t n = 0;
@@ -181,7 +184,7 @@ evaluate_conditions(const struct wanted *w, size_t i, struct margin *margin)
 }
 
 struct margin
-condition_margin(const struct wanted *w, size_t i)
+condition_margin(const struct conditions_search *w, size_t i)
 {
 	FREED struct margin *margin = xcalloc(w->n + 1, sizeof *margin);
 	evaluate_conditions(w, i, margin);
@@ -189,7 +192,7 @@ condition_margin(const struct wanted *w, size_t i)
 }
 
 double
-conditions_probability(const struct wanted *w)
+conditions_probability(const struct conditions_search *w)
 {
 	FREED struct margin *margin = xcalloc(w->n + 1, sizeof *margin);
 	return evaluate_conditions(w, SIZE_MAX, margin);
@@ -197,7 +200,7 @@ conditions_probability(const struct wanted *w)
 
 /* Needs no draws, and therefore computes none. */
 bool
-conditions_are_met(const struct wanted *w, size_t i)
+conditions_are_met(const struct conditions_search *w, size_t i)
 {
 	bool met = true, tight;
 	for (size_t k = 0; k < 2 * w->n; k++) {
@@ -212,7 +215,7 @@ conditions_are_met(const struct wanted *w, size_t i)
 /* Returns the tenths of a m/s in the range of speeds, and its two ends, [*n].
  * The caller frees them. */
 static double *
-list_speeds_by_tenths(const struct wanted *w, size_t *n)
+list_speeds_by_tenths(const struct conditions_search *w, size_t *n)
 {
 	const double hair = 1e-6;
 	double first = floor(10 * w->from + hair) + 1;
@@ -228,7 +231,7 @@ list_speeds_by_tenths(const struct wanted *w, size_t *n)
 }
 
 struct speed_search *
-speed_search_new(const struct wanted *w)
+speed_search_new(const struct conditions_search *w)
 {
 	struct speed_search *s = xcalloc(1, sizeof *s);
 	*s = (struct speed_search){.found = NAN,
@@ -273,7 +276,8 @@ speed_search_free(struct speed_search *s)
 
 /* Keeps what step k shows of the target. */
 static void
-keep_target_at_step(struct speed_search *s, const struct wanted *w, size_t k)
+keep_target_at_step(
+    struct speed_search *s, const struct conditions_search *w, size_t k)
 {
 	double value = w->target->least;
 	s->value[k] = forecast_value_with_band(w->forecast, w->n).value;
@@ -348,8 +352,8 @@ add_speed_interval(
  * 0 if they all hold at it, -1 if it is too slow, because it misses a limit
  * that step k misses too, and 1 if it is too fast. */
 static int
-bisection_direction(
-    const struct speed_search *s, const struct wanted *w, size_t k, double v)
+bisection_direction(const struct speed_search *s,
+    const struct conditions_search *w, size_t k, double v)
 {
 	forecast_set_speed(w->forecast, v);
 	for (size_t i = 0; i < w->n; i++) {
@@ -380,8 +384,8 @@ may_conditions_hold_between(const struct speed_search *s, size_t k)
 /* Returns the end of an interval: the speed nearest to `bad` at which all
  * conditions hold, as they do at `good`. */
 static double
-bisect_interval_end(const struct speed_search *s, const struct wanted *w,
-    size_t k, double good, double bad)
+bisect_interval_end(const struct speed_search *s,
+    const struct conditions_search *w, size_t k, double good, double bad)
 {
 	const double close = 1e-4;
 	while (fabs(bad - good) > close) {
@@ -393,7 +397,7 @@ bisect_interval_end(const struct speed_search *s, const struct wanted *w,
 
 static void
 find_interval_between_steps(
-    struct speed_search *s, const struct wanted *w, size_t k)
+    struct speed_search *s, const struct conditions_search *w, size_t k)
 {
 	const double close = 1e-6;
 	double a = s->speed[k], b = s->speed[k + 1];
@@ -415,7 +419,7 @@ find_interval_between_steps(
 /* met [n]: whether all conditions hold at each step. */
 static void
 find_speed_intervals(
-    struct speed_search *s, const struct wanted *w, const bool *met)
+    struct speed_search *s, const struct conditions_search *w, const bool *met)
 {
 	size_t run[2];
 	for (size_t k = 0; k < s->n; k++) {
@@ -435,13 +439,13 @@ find_speed_intervals(
 
 /* Returns how far a speed is outside the measured range, m/s, or 0. */
 static double
-distance_beyond_measured_speeds(const struct wanted *w, double v)
+distance_beyond_measured_speeds(const struct conditions_search *w, double v)
 {
 	return fmax(0, fmax(w->measured[0] - v, v - w->measured[1]));
 }
 
 static bool
-is_within_measured_speeds(const struct wanted *w, double v)
+is_within_measured_speeds(const struct conditions_search *w, double v)
 {
 	return distance_beyond_measured_speeds(w, v) <= EXACT;
 }
@@ -451,8 +455,8 @@ is_within_measured_speeds(const struct wanted *w, double v)
  * and of these, those about as certain as the most certain.  The caller frees
  * it. */
 static bool *
-mark_eligible_steps(
-    const struct speed_search *s, const struct wanted *w, const bool *met)
+mark_eligible_steps(const struct speed_search *s,
+    const struct conditions_search *w, const bool *met)
 {
 	bool *may = xcalloc(s->n, sizeof *may), measured = false;
 	double most = -INFINITY;
@@ -474,8 +478,8 @@ mark_eligible_steps(
 /* Returns the step with the largest margin, or of several the one nearest to
  * the middle; SIZE_MAX if the conditions hold only between two steps. */
 static size_t
-find_best_step(
-    const struct speed_search *s, const struct wanted *w, const bool *met)
+find_best_step(const struct speed_search *s, const struct conditions_search *w,
+    const bool *met)
 {
 	bool reaches = w->measured[0] < w->measured[1];
 	double middle = reaches ? (w->measured[0] + w->measured[1]) / 2
@@ -497,7 +501,8 @@ find_best_step(
 }
 
 static void
-find_best_speed(struct speed_search *s, const struct wanted *w, const bool *met)
+find_best_speed(
+    struct speed_search *s, const struct conditions_search *w, const bool *met)
 {
 	size_t k = find_best_step(s, w, met);
 	if (k == SIZE_MAX) {
@@ -576,7 +581,7 @@ find_certain_interval(struct speed_search *s, double level)
 
 static void
 find_slowest_safe_speed(
-    struct speed_search *s, const struct wanted *w, const bool *met)
+    struct speed_search *s, const struct conditions_search *w, const bool *met)
 {
 	for (size_t k = s->n; k-- > 0;) {
 		if (s->speed[k] > s->best)
@@ -595,7 +600,7 @@ find_slowest_safe_speed(
  * little; to 1e-9 m/s, so that predict at that speed shows the value. */
 static double
 target_speed_between(
-    const struct wanted *w, double a, double fa, double b, double fb)
+    const struct conditions_search *w, double a, double fa, double b, double fb)
 {
 	const double close = 1e-9;
 	bool rises = fb >= 0;
@@ -619,7 +624,8 @@ target_speed_between(
 }
 
 static void
-add_target_speed(struct speed_search *s, const struct wanted *w, double v)
+add_target_speed(
+    struct speed_search *s, const struct conditions_search *w, double v)
 {
 	forecast_set_speed(w->forecast, v);
 	s->root = xrealloc(s->root, s->n_root + 1, sizeof *s->root);
@@ -628,7 +634,7 @@ add_target_speed(struct speed_search *s, const struct wanted *w, double v)
 }
 
 static void
-find_target_speeds(struct speed_search *s, const struct wanted *w)
+find_target_speeds(struct speed_search *s, const struct conditions_search *w)
 {
 	const double *f = s->over, *v = s->speed;
 	double least = INFINITY;
@@ -670,7 +676,8 @@ target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
 }
 
 static void
-find_target_speed_bands(struct speed_search *s, const struct wanted *w)
+find_target_speed_bands(
+    struct speed_search *s, const struct conditions_search *w)
 {
 	double about = isnan(s->found) ? (w->from + w->to) / 2 : s->found;
 	double speed[DRAWS], sample[DRAWS];
@@ -689,7 +696,7 @@ find_target_speed_bands(struct speed_search *s, const struct wanted *w)
 }
 
 static void
-finish_speed_search(struct speed_search *s, const struct wanted *w)
+finish_speed_search(struct speed_search *s, const struct conditions_search *w)
 {
 	FREED bool *met = mark_steps_that_meet(s, w->n);
 	find_speed_intervals(s, w, met);
@@ -707,7 +714,7 @@ finish_speed_search(struct speed_search *s, const struct wanted *w)
 }
 
 bool
-speed_search_step(struct speed_search *s, const struct wanted *w)
+speed_search_step(struct speed_search *s, const struct conditions_search *w)
 {
 	size_t k = s->done;
 	if (k == s->n)
@@ -724,7 +731,7 @@ speed_search_step(struct speed_search *s, const struct wanted *w)
 }
 
 struct speed_search *
-speed_search_run(const struct wanted *w)
+speed_search_run(const struct conditions_search *w)
 {
 	struct speed_search *s = speed_search_new(w);
 	while (!speed_search_step(s, w))

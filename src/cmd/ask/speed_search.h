@@ -26,7 +26,7 @@ void conditions_free(struct condition_list *list);
 
 /* What to search for.  Unless stated otherwise, functions that are given this
  * move its forecast to other speeds. */
-struct wanted {
+struct conditions_search {
 	const struct session *s;
 	/* The site and the feed of the question. */
 	const struct entry *entry;
@@ -50,7 +50,7 @@ struct wanted {
  * settings_default_speed_range, without a target.  The forecast also has the
  * quantities in more [n_more]. `at` must outlive it; free its `forecast` with
  * forecast_close. */
-struct wanted wanted_from_question(const struct session *s,
+struct conditions_search wanted_from_question(const struct session *s,
     const struct question *q, size_t n, const struct condition *at,
     size_t n_more, const struct quantity *more);
 
@@ -145,9 +145,10 @@ struct speed_search {
 
 /* speed_search_step does one more speed, and returns true once all are done;
  * speed_search_run does them all.  Free with speed_search_free. */
-struct speed_search *speed_search_new(const struct wanted *w);
-bool speed_search_step(struct speed_search *s, const struct wanted *w);
-struct speed_search *speed_search_run(const struct wanted *w);
+struct speed_search *speed_search_new(const struct conditions_search *w);
+bool speed_search_step(
+    struct speed_search *s, const struct conditions_search *w);
+struct speed_search *speed_search_run(const struct conditions_search *w);
 void speed_search_free(struct speed_search *s);
 
 /* Returns the range in `inside` that contains the best speed, or NULL. */
@@ -163,8 +164,8 @@ double speed_search_speed_of_extreme(
  * nearer limit of condition i, or the smallest of all conditions if i is
  * SIZE_MAX; conditions_are_met returns true if condition i, or all, hold;
  * conditions_probability returns the share of the draws in which all do. */
-struct margin condition_margin(const struct wanted *w, size_t i);
-bool conditions_are_met(const struct wanted *w, size_t i);
-double conditions_probability(const struct wanted *w);
+struct margin condition_margin(const struct conditions_search *w, size_t i);
+bool conditions_are_met(const struct conditions_search *w, size_t i);
+double conditions_probability(const struct conditions_search *w);
 
 #endif

@@ -286,8 +286,8 @@ appearance_chart(
 	breaker_set_params(&b, &params, &s->set.model);
 	breaker_set_speed(&b, speed);
 	struct chart *chart = site_chart(site,
-	    axis_new_log(tr("progeny / parent u, -"), 0.001, 1),
-	    axis_new_percent(tr("finer than u B(u), %")),
+	    axis_new_log(tr("size ratio u: progeny / parent, -"), 0.001, 1),
+	    axis_new_percent(tr("share finer than u: B(u), %")),
 	    "appearance function (Eq 1)");
 	struct chart_series *curve =
 	    chart_add(chart, SITE_CHART_PREDICTED, SAMPLES, "B(u)");
@@ -299,6 +299,24 @@ appearance_chart(
 	return chart;
 }
 
+/* Notes which model the site's parameters belong to, if it is not that of the
+ * paper. */
+static void
+note_other_model(
+    struct chart *chart, const struct session *s, const struct entry *entry)
+{
+	if (entry == NULL || !entry->has_params)
+		return;
+	const struct breakage *model = breakage_model_of_params(&entry->params);
+	bool energies = s->set.model.impacts.n > 0;
+	if (model == BREAKAGES[0] && !energies)
+		return;
+	chart_note(chart,
+	    energies ? N_("model: %s, with collision energies")
+		     : N_("model: %s"),
+	    model->name);
+}
+
 /* Returns the chart through an argument, because cppcheck mistakes a returned
  * chart for the request. */
 static void
@@ -307,8 +325,11 @@ make_chart_in_theme(plot_make *make, struct session *s,
     struct error *error)
 {
 	*chart = make(s, request, error);
-	if (*chart != NULL)
-		(*chart)->theme = (enum theme)s->set.theme;
+	if (*chart == NULL)
+		return;
+	(*chart)->theme = (enum theme)s->set.theme;
+	if (request->kind != PLOT_MAP && request->kind != PLOT_ENERGY)
+		note_other_model(*chart, s, request->asked.entry);
 }
 
 struct chart *

@@ -81,9 +81,10 @@ plots_impact_energies(
 	add_impact_energy_curves(chart, e, true, 0);
 	axis_free(&chart->y);
 	chart->y =
-	    axis_new_linear(of->counted ? tr("impacts a particle in half an "
+	    axis_new_linear(of->counted ? tr("impacts per particle and half "
 					     "octave, -")
-					: tr("impacts in half an octave, %"),
+					: tr("share of impacts per half "
+					     "octave, %"),
 		0, chart_find_extent(chart).y[1]);
 	chart_add_rule(chart, SERIES_BREAK, e->cut, "cut %g J/kg", e->cut);
 	if (E > 0)

@@ -177,9 +177,10 @@ series_short_name_length(const struct chart_series *s)
 }
 
 /* Returns a title such as "points; line: predicted less pin; marks: measured 74
- * m/s less it".  other, measured: the curves compared, or NULL. */
+ * m/s less it", or "points; marks: measured 74 m/s less predicted 72 m/s".
+ * The two speeds may differ.  other, measured: the curves compared, or NULL. */
 static char *
-title_of_difference_strip(
+title_of_difference_strip(const struct chart_series *predicted,
     const struct chart_series *other, const struct chart_series *measured)
 {
 	char *title = xstrdup(tr("points"));
@@ -187,17 +188,37 @@ title_of_difference_strip(
 		xappend_to_list(&title, "; ", tr("line: predicted less %s"),
 		    strncmp(other->name, "pin", 3) == 0 ? tr("pin")
 							: tr("the other"));
-	if (measured != NULL)
-		xappend_to_list(&title, "; ",
-		    other != NULL ? tr("marks: %.*s less it")
-				  : tr("marks: %.*s less predicted"),
+	if (measured != NULL && other != NULL)
+		xappend_to_list(&title, "; ", tr("marks: %.*s less it"),
 		    series_short_name_length(measured), measured->name);
+	else if (measured != NULL)
+		xappend_to_list(&title, "; ", tr("marks: %.*s less %.*s"),
+		    series_short_name_length(measured), measured->name,
+		    series_short_name_length(predicted), predicted->name);
 	return title;
+}
+
+/* Adds the band of a prediction as differences from the prediction.  In the
+ * chart above, the line often hides it. */
+static void
+add_band_of_differences(
+    struct chart *strip, const struct chart_series *predicted)
+{
+	struct chart_series *s =
+	    chart_add(strip, *predicted, predicted->n, "uncertainty band");
+	series_add_band(s);
+	for (size_t i = 0; i < s->n; i++) {
+		s->x[i] = predicted->x[i];
+		s->y[i] = NAN;
+		s->low[i] = predicted->low[i] - predicted->y[i];
+		s->high[i] = predicted->high[i] - predicted->y[i];
+	}
 }
 
 /* Adds a strip of differences below a chart whose last series is the
  * prediction: the prediction minus the second one, and the product measured at
- * the nearest speed minus the prediction.  Adds nothing if there is neither. */
+ * the nearest speed minus the prediction, with the band of the prediction.
+ * Adds nothing if there is neither. */
 static void
 add_difference_strip(struct chart *chart, int rows)
 {
@@ -215,8 +236,10 @@ add_difference_strip(struct chart *chart, int rows)
 			add_difference_curve(strip, chart, s, last, *s);
 		}
 	}
+	if (strip->n > 0 && last->low != NULL)
+		add_band_of_differences(strip, last);
 	free(strip->title);
-	strip->title = title_of_difference_strip(other, measured);
+	strip->title = title_of_difference_strip(last, other, measured);
 	strip->strip = rows;
 	strip->y = difference_strip_axis(strip);
 	if (strip->n > 0)
@@ -372,20 +395,24 @@ shade_prediction_band(struct chart *chart, const struct session *s,
 		return;
 	}
 	struct chart_series *series = chart->series[chart->n - 1];
+	double level = 100 * settings_band_probability(&s->set), widest = 0;
 	series_add_band(series);
 	for (size_t i = 0; i < series->n; i++) {
 		series->low[i] = units_pct(p->low[i]);
 		series->high[i] = units_pct(p->high[i]);
+		widest = fmax(widest, series->high[i] - series->low[i]);
 	}
 	const double *range = p->range[1];
 	if (isfinite(range[0]) && isfinite(range[1]))
 		chart_note(chart,
-		    "shaded: %.0f %% uncertainty band; P50 %.2f to %.2f mm",
-		    100 * settings_band_probability(&s->set), 1000 * range[0],
-		    1000 * range[1]);
+		    "shaded: %.0f %% uncertainty band, at most %.1f points "
+		    "wide; P50 %.2f to %.2f mm",
+		    level, widest, 1000 * range[0], 1000 * range[1]);
 	else
-		chart_note(chart, "shaded: %.0f %% uncertainty band",
-		    100 * settings_band_probability(&s->set));
+		chart_note(chart,
+		    "shaded: %.0f %% uncertainty band, at most %.1f points "
+		    "wide",
+		    level, widest);
 }
 
 /* Adds a product.  Values between its sieves are read off the curve of its
@@ -690,7 +717,12 @@ plots_sweep(
 		struct prediction p = predict_for_plot(
 		    s, q, q->asked.entry, &params, speed[i], q->asked.feed);
 		FREED char *at = answers_speed_text(site, speed[i], -1);
-		add_product_curve(chart, &p, xasprintf(tr("predicted %s"), at),
+		bool beyond =
+		    answers_is_speed_extrapolated(q->asked.entry, speed[i]);
+		add_product_curve(chart, &p,
+		    xasprintf(beyond ? tr("predicted %s (extrapolated)")
+				     : tr("predicted %s"),
+			at),
 		    site_chart_series_style(i));
 		prediction_free(&p);
 	}

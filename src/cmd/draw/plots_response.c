@@ -149,6 +149,9 @@ add_measured_quantity_marks(struct chart *chart, const struct session *s,
 	    chart_add(chart, look, site->n_run, "measured %s", name);
 	points->n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
+		double speed = site->run[r].speed;
+		if (speed < d->from || speed > d->to)
+			continue;
 		const struct psd *product = product_moved_to_feed(
 		    s, entry, &entry->params, r, d->asked->feed);
 		double value = product->n > 0
@@ -156,7 +159,7 @@ add_measured_quantity_marks(struct chart *chart, const struct session *s,
 				   : NAN;
 		if (isnan(value))
 			continue;
-		points->x[points->n] = site->run[r].speed;
+		points->x[points->n] = speed;
 		points->y[points->n++] =
 		    quantities_value_in_shown_unit(q, value);
 		d->moved =
@@ -300,30 +303,6 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 	return chart;
 }
 
-/* Converts the x axis of a chart, and all that is drawn along it, from m/s to
- * rpm. */
-static void
-show_speeds_in_rpm(struct chart *chart, const struct site *site)
-{
-	const double rpm = rotor_speed_to_rpm(1, site->rotor);
-	struct axis axis = axis_new_linear(
-	    tr("rotor speed, rpm"), rpm * chart->x.low, rpm * chart->x.high);
-	size_t n = 0;
-	axis.low = rpm * chart->x.low;
-	axis.high = rpm * chart->x.high;
-	for (size_t i = 0; i < axis.n; i++)
-		if (axis.tick[i].at >= axis.low && axis.tick[i].at <= axis.high)
-			axis.tick[n++] = axis.tick[i];
-	axis.n = n;
-	axis_free(&chart->x);
-	chart->x = axis;
-	for (size_t i = 0; i < chart->n; i++)
-		for (size_t k = 0; k < chart->series[i]->n; k++)
-			chart->series[i]->x[k] *= rpm;
-	for (size_t i = 0; i < chart->n_rule; i++)
-		chart->rule[i].x *= rpm;
-}
-
 static void
 fill_quantity_lines(struct session *s, struct drawn *d, struct chart *first)
 {
@@ -349,7 +328,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 	}
 	fill_quantity_lines(s, d, first);
 	if (d->limits.n > 0) {
-		struct wanted wanted =
+		struct conditions_search wanted =
 		    conditions_open_search(s, d->asked, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;
@@ -375,9 +354,28 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 	    s, entry, site_middle_speed(entry->site), d->asked->feed);
 	chart_note(last, "%s", light);
 	for (struct chart *c = first; c != NULL; c = c->below)
-		if (answers_is_sheet_in_rpm(entry->site))
-			show_speeds_in_rpm(c, entry->site);
+		site_chart_show_speeds_in_rpm(c, entry->site);
 	return first;
+}
+
+/* Finds the range to draw: from the slowest of speeds= to the fastest, or,
+ * without speeds=, the range of the settings. */
+static bool
+find_range_of_speeds(const struct session *s, const struct question *asked,
+    double *from, double *to, struct error *error)
+{
+	settings_default_speed_range(&s->set, asked->entry->site, from, to);
+	if (asked->n_at == 0)
+		return true;
+	*from = *to = asked->at[0];
+	for (size_t i = 1; i < asked->n_at; i++) {
+		*from = fmin(*from, asked->at[i]);
+		*to = fmax(*to, asked->at[i]);
+	}
+	return *to > *from ||
+	       error_set(error, ERROR_USAGE,
+		   "response is drawn over a range of speeds, got only one\n"
+		   "such as speeds=60..85");
 }
 
 struct chart *
@@ -389,7 +387,8 @@ plots_response(
 	struct chart *chart = NULL;
 	if (!answers_require_params(s, entry, error))
 		return NULL;
-	settings_default_speed_range(&s->set, entry->site, &d.from, &d.to);
+	if (!find_range_of_speeds(s, &q->asked, &d.from, &d.to, error))
+		return NULL;
 	if (parse_drawn_quantities(s, q->of, q->limits, &d, error))
 		chart = make_chart_for_each_unit(s, &d);
 	conditions_free(&d.limits);

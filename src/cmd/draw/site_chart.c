@@ -9,8 +9,10 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
+#include "core/psd/rotor_speed.h"
 #include "io/formats/spec.h"
 #include "io/sitefile/units.h"
 
@@ -114,6 +116,30 @@ site_chart_fill_speed_lines(struct forecast *f, size_t n, double from,
 	}
 	for (size_t i = 0; i < n; i++)
 		site_chart_finish_band(line[i]);
+}
+
+void
+site_chart_show_speeds_in_rpm(struct chart *chart, const struct site *site)
+{
+	if (!answers_is_sheet_in_rpm(site))
+		return;
+	const double rpm = rotor_speed_to_rpm(1, site->rotor);
+	struct axis axis = axis_new_linear(
+	    tr("rotor speed, rpm"), rpm * chart->x.low, rpm * chart->x.high);
+	size_t n = 0;
+	axis.low = rpm * chart->x.low;
+	axis.high = rpm * chart->x.high;
+	for (size_t i = 0; i < axis.n; i++)
+		if (axis.tick[i].at >= axis.low && axis.tick[i].at <= axis.high)
+			axis.tick[n++] = axis.tick[i];
+	axis.n = n;
+	axis_free(&chart->x);
+	chart->x = axis;
+	for (size_t i = 0; i < chart->n; i++)
+		for (size_t k = 0; k < chart->series[i]->n; k++)
+			chart->series[i]->x[k] *= rpm;
+	for (size_t i = 0; i < chart->n_rule; i++)
+		chart->rule[i].x *= rpm;
 }
 
 const struct chart_series SITE_CHART_FEED = {.series = SERIES_FEED,

@@ -38,6 +38,11 @@ void site_chart_finish_band(struct chart_series *s);
 void site_chart_fill_speed_lines(struct forecast *f, size_t n, double from,
     double to, struct chart_series *const *line);
 
+/* Converts the axis of a chart, and all drawn along it, from m/s to rpm if the
+ * site's sheet is in rpm. */
+void site_chart_show_speeds_in_rpm(
+    struct chart *chart, const struct site *site);
+
 /* The styles of a feed, of a line to compare others with, and of a
  * prediction. */
 extern const struct chart_series SITE_CHART_FEED, SITE_CHART_LEVEL,

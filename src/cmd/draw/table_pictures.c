@@ -15,7 +15,7 @@
 	    {TEXT(site), "SITE", "",                                         \
 		"a loaded site, or pinned, instead of the one in use"},      \
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",              \
-		"sweep: default 65..85:5; runs: added ones"},                \
+		"sweep, response: which; runs: added ones"},                 \
 	    {OFF_ON(band), "off", "psd: shade the 80 % uncertainty band"},   \
 	    {TEXT(of), NULL, "",                                             \
 		"response: quantities, such as passing 2,P50,0/4"},          \

@@ -126,7 +126,7 @@ static void
 append_digest_of_impacts(char **words, const struct impacts *impacts)
 {
 	uint64_t digest = text_fnv1a_digest(
-	    UINT64_C(0xcbf29ce484222325), &impacts->number, sizeof(double));
+	    TEXT_DIGEST_START, &impacts->number, sizeof(double));
 	size_t size = impacts->n * sizeof(double);
 	if (impacts->n == 0)
 		return;
@@ -162,7 +162,7 @@ part_dependencies_text(const struct session *s,
 static uint64_t
 digest_of_loaded_sites(const struct session *s)
 {
-	uint64_t digest = 0xcbf29ce484222325;
+	uint64_t digest = TEXT_DIGEST_START;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		FREED char *text = xasprintf("%s %016" PRIx64 "\n",
 		    s->entry[i].key, s->entry[i].site->digest);

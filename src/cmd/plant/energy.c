@@ -126,9 +126,10 @@ put_energy_bins(struct answer *r, const struct energy_question *q,
 	}
 	struct fields *f = answer_fields(r);
 	fields_put_values(f,
-	    "name %s speed %g impacts %llu rows %llu mass_kg %g "
+	    "name %s speed %g impacts %g rows %llu mass_kg %g "
 	    "share_below_pct %g cut_j_kg %g per_particle %g first_pct %g k %g",
-	    q->e->name, q->speed, (unsigned long long)q->e->c.impacts,
+	    q->e->name, q->speed,
+	    q->e->c.weighted ? NAN : (double)q->e->c.impacts,
 	    (unsigned long long)q->e->c.rows,
 	    q->spectrum->counted ? whole->mass : NAN,
 	    100 * share_of_impacts_below_cut(q, whole), q->scale * q->cut,
@@ -307,7 +308,10 @@ show_energies(struct session *s, const struct args *args, struct error *error)
 	answer_set_site_names(r, "", s->energy->c.about);
 	add_energy_rows_of_sizes(r, &q, whole);
 	answer_note(r,
-	    "%llu impacts, %.1f %% below %g J/kg (by mass of the particles)",
+	    s->energy->c.weighted
+		? N_("%llu weighted rows, %.1f %% of the weight below %g J/kg")
+		: N_("%llu impacts, %.1f %% below %g J/kg (by mass of the "
+		     "particles)"),
 	    (unsigned long long)s->energy->c.impacts,
 	    100 * share_of_impacts_below_cut(&q, whole), q.scale * q.cut);
 	note_comparison_of_spectra(r, s, &q);
@@ -356,7 +360,11 @@ load_energy_file(
 	}
 	s->energy = e;
 	session_note(s,
-	    e->c.spectrum->speed > 0
+	    e->c.weighted && e->c.spectrum->speed > 0
+		? N_("loaded %s: %s, %llu weighted rows")
+	    : e->c.weighted
+		? N_("loaded %s: %s, %llu weighted rows; tip speed not known")
+	    : e->c.spectrum->speed > 0
 		? N_("loaded %s: %s, %llu rows, %llu impacts")
 		: N_("loaded %s: %s, %llu rows, %llu impacts; tip speed not "
 		     "known"),

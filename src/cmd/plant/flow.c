@@ -602,6 +602,7 @@ flow_chart_by_speed(const struct plant *p, double from, double to)
 	FREED char *light = trust_in_words_at_speed(
 	    p->s, p->question->entry, (from + to) / 2, p->question->feed);
 	chart_note(chart, "%s", light);
+	site_chart_show_speeds_in_rpm(chart, p->question->entry->site);
 	return chart;
 }
 

@@ -167,7 +167,6 @@ static bool
 check_setting_value(struct session *s, const struct command_option *row,
     const struct value *value, struct error *error)
 {
-	static const struct partition SHARP = {0, 1};
 	struct condition_list list = {0};
 	struct quantity q;
 	size_t n_value;
@@ -188,7 +187,8 @@ check_setting_value(struct session *s, const struct command_option *row,
 	if (row->offset == offsetof(struct settings, feed))
 		return blended_read_feed_setting(s, value->text, error) != NULL;
 	if (row->offset == offsetof(struct settings, quantity))
-		return quantities_parse_one(value->text, &SHARP, &q, error);
+		return quantities_parse_one(
+		    value->text, &PARTITION_IDEAL, &q, error);
 	bool ok = goals_parse(s, value->text, NULL, &list, &n_value, error);
 	conditions_free(&list);
 	return ok;

@@ -128,9 +128,16 @@ energies_trust_reason(const struct session *s)
 			e = s->energies[j];
 	if (i->n == 0 || e == NULL)
 		return NULL;
+	if (!e->c.spectrum->counted)
+		return xasprintf(
+		    tr("Eq 3 takes one impact per particle from the collision "
+		       "energies of %s above %g J/kg, where particles were not "
+		       "counted, instead of one impact at v^2/2: as far as is "
+		       "known, a simulation, not a measurement"),
+		    e->name, e->cut);
 	return xasprintf(
 	    tr("Eq 3 takes the collision energies of %s (%.2f impacts per "
-	       "particle above %g J/kg) instead of one impact at v^2/2: a "
-	       "simulation, not a measurement"),
+	       "particle above %g J/kg) instead of one impact at v^2/2: as far "
+	       "as is known, a simulation, not a measurement"),
 	    e->name, i->number, e->cut);
 }

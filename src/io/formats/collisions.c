@@ -336,9 +336,11 @@ add_impact_of_row(struct reading *r)
 		return fault(r, ERROR_DATA,
 		    "expected an energy and a weight of at least 0, got less",
 		    "check this row");
-	if (r->has[COL_PARTICLES] && v[COL_PARTICLES] > 0)
+	if (r->has[COL_PARTICLES] && v[COL_PARTICLES] > 0) {
+		s->counted = true;
 		spectrum_add_particles(
 		    s, size, v[COL_PARTICLES], v[COL_PARTICLES_KG]);
+	}
 	if (mass > 0)
 		spectrum_add_impact(s, size, mass, e, false);
 	r->to->impacts += mass > 0;
@@ -430,7 +432,9 @@ collisions_read_table(struct reading *r)
 			 report_rows_read_so_far(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
-	r->to->spectrum->counted = r->has[COL_PARTICLES];
+	else
+		r->to->weighted =
+		    r->has[COL_WEIGHT] && !r->to->spectrum->counted;
 	r->to->spectrum->ordered = r->has[COL_FIRST_KG];
 	r->to->form =
 	    r->has[COL_LOW] ? tr("binned spectrum") : tr("list of impacts");
@@ -515,8 +519,9 @@ collisions_write(const struct collisions *c, const char *name, FILE *out)
 {
 	char text[32];
 	const struct spectrum *s = c->spectrum;
-	fprintf(out, "spectrum,\"%s\"\nimpacts,%llu\n", name,
-	    (unsigned long long)c->impacts);
+	fprintf(out, "spectrum,\"%s\"\n", name);
+	if (!c->weighted)
+		fprintf(out, "impacts,%llu\n", (unsigned long long)c->impacts);
 	if (isfinite(s->speed))
 		fprintf(out, "speed_m_s,%s\n",
 		    text_shortest_exact_number(s->speed, text));

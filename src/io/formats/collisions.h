@@ -23,12 +23,14 @@ struct collisions_way {
 
 /* The content of a file.  form: its kind in words, not to be freed.  about: the
  * file's own description, or "".  rows: the number of rows with numbers;
- * impacts: the number of impacts on particles. */
+ * impacts: the number of impacts on particles.  weighted: rows have weights
+ * and the file does not give the number of impacts; `impacts` counts rows. */
 struct collisions {
 	struct spectrum *spectrum;
 	const char *form;
 	char *about;
 	uint64_t rows, impacts;
+	bool weighted;
 };
 
 /* Reads a file row by row, in constant memory.  Headings or way->columns name

@@ -267,7 +267,7 @@ first_index_to_show(size_t first, size_t at, size_t n, size_t room)
 }
 
 static void
-on_mouse_in_cells(struct tui *t, const struct touched *touched)
+on_mouse_in_cells(struct tui *t, const struct mouse_event *touched)
 {
 	struct sheet *h = &t->view.sheet;
 	t->ui.cell.on = true;

@@ -86,7 +86,7 @@ act_type_bounds(struct tui *t, const struct key *key)
 }
 
 static void
-on_click_parameter(struct tui *t, const struct touched *touched)
+on_click_parameter(struct tui *t, const struct mouse_event *touched)
 {
 	t->ui.param_at = touched->item;
 	act_type_bounds(t, NULL);
@@ -226,9 +226,10 @@ draw_search_effort(const struct tui *t, int row)
 	struct calibrate_status st =
 	    calibration_status(t->session->job.calibration);
 	double seconds = tui_search_seconds(t);
-	char pace[32] = "full";
+	char pace[32];
+	snprintf(pace, sizeof pace, tr("full"));
 	if (t->ui.pace == PACE_AUTO)
-		snprintf(pace, sizeof pace, "auto");
+		snprintf(pace, sizeof pace, tr("auto"));
 	else if (t->ui.pace < PACE_FULL)
 		snprintf(pace, sizeof pace, "%g/s", PACES[t->ui.pace]);
 	screen_text(&t->layout.side, row, 0, LOOK_DIM,
@@ -405,7 +406,7 @@ draw_search_panel(struct tui *t)
 /* ---- The generations and the plot ---- */
 
 static void
-on_click_generations(struct tui *t, const struct touched *touched)
+on_click_generations(struct tui *t, const struct mouse_event *touched)
 {
 	size_t n = tui_count_generations(t);
 	int last = touched->area.columns - 1, at = touched->column;

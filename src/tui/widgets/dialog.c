@@ -105,7 +105,7 @@ draw_dialog_frame(struct tui *t, const struct area *box, const char *keys)
 }
 
 static void
-on_wheel_scroll_table(struct tui *t, const struct touched *touched)
+on_wheel_scroll_table(struct tui *t, const struct mouse_event *touched)
 {
 	t->inquiry_up -= touched->by;
 }

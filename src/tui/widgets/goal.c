@@ -21,9 +21,6 @@
 #include "io/sitefile/units.h"
 #include "tui/acts.h"
 
-/* The goal's fractions are separated sharply. */
-static const struct partition SHARP = {0, 1};
-
 /* More conditions than this are those of an envelope. */
 enum { MANY = 4 };
 
@@ -259,7 +256,7 @@ show_typed_quantity(struct tui *t, const char *text)
 	size_t n = strlen(copy);
 	if (n > 0 && copy[n - 1] == '=')
 		copy[n - 1] = '\0';
-	bool ok = quantities_parse_one(copy, &SHARP, &q, &error);
+	bool ok = quantities_parse_one(copy, &PARTITION_IDEAL, &q, &error);
 	if (ok && quantities_check_feed_covers(&q, tui_feed_curve(t), &error)) {
 		t->ui.quantity = q;
 		t->ui.quantity_of_goal = false;

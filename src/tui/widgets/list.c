@@ -175,7 +175,7 @@ list_open_row(struct tui *t)
 }
 
 static void
-on_click_row(struct tui *t, const struct touched *touched)
+on_click_row(struct tui *t, const struct mouse_event *touched)
 {
 	/* Another page may have been opened since the frame was drawn. */
 	if (count_list_rows(t) <= touched->item)
@@ -187,7 +187,7 @@ on_click_row(struct tui *t, const struct touched *touched)
 }
 
 static void
-on_wheel_move_cursor(struct tui *t, const struct touched *touched)
+on_wheel_move_cursor(struct tui *t, const struct mouse_event *touched)
 {
 	move_cursor_by_rows(t, touched->by);
 }
@@ -280,7 +280,7 @@ struct table_drawn {
 };
 
 static void
-on_click_heading(struct tui *t, const struct touched *touched)
+on_click_heading(struct tui *t, const struct mouse_event *touched)
 {
 	const struct page_list *list = current_list(t);
 	if (list != NULL && list->table != NULL && list->table->sort != NULL)

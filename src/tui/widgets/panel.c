@@ -149,7 +149,7 @@ panel_draw_speed(struct tui *t, const struct area *area)
 
 /* Puts the crosshair at the size that was clicked, and at its passing. */
 static void
-on_click_size(struct tui *t, const struct touched *touched)
+on_click_size(struct tui *t, const struct mouse_event *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	t->ui.crosshair_passing = (int)lround(100 * PSD_PASSING[touched->item]);
@@ -216,7 +216,7 @@ fraction_rows_wanted(struct tui *t)
 
 /* Puts the crosshair on the sieve of a fraction, or on the next finer one. */
 static void
-on_click_fraction(struct tui *t, const struct touched *touched)
+on_click_fraction(struct tui *t, const struct mouse_event *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
@@ -374,7 +374,7 @@ rank_of_limit_by_margin(const double *margin, size_t n, size_t i)
 
 /* Explains the light or the limits that were clicked. */
 static void
-on_click_verdict(struct tui *t, const struct touched *touched)
+on_click_verdict(struct tui *t, const struct mouse_event *touched)
 {
 	cmdline_run_line(t, touched->item == 0 ? "why" : "spec");
 }
@@ -722,7 +722,7 @@ static const char *
 short_size_text(double mm, char text[static 24])
 {
 	if (isnan(mm))
-		snprintf(text, 24, "off");
+		snprintf(text, 24, tr("off"));
 	else if (isinf(mm))
 		snprintf(text, 24, tr("none"));
 	else

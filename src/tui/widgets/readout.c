@@ -23,7 +23,7 @@ readout_size_or_reason(double mm, char text[static 24])
 	else if (isinf(mm))
 		snprintf(text, 24, tr("none"));
 	else if (mm < 1000 * ANSWERS_NO_SIZE)
-		snprintf(text, 24, "all");
+		snprintf(text, 24, tr("all"));
 	else
 		snprintf(text, 24, "%.2f mm", mm);
 	return text;

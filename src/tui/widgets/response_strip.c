@@ -30,7 +30,7 @@ make_strip_quantity(enum quantity_kind kind, double x, double coarse)
 {
 	return (struct quantity){.kind = kind,
 	    .x = x,
-	    .fraction = {.coarse = coarse, .partition = {0, 1}}};
+	    .fraction = {.coarse = coarse, .partition = PARTITION_IDEAL}};
 }
 
 struct quantity

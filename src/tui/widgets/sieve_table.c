@@ -109,7 +109,7 @@ sieve_table_draw_bar(
 }
 
 static void
-on_click_sieve(struct tui *t, const struct touched *touched)
+on_click_sieve(struct tui *t, const struct mouse_event *touched)
 {
 	t->ui.crosshair = touched->item < t->view.shown.product.n;
 	t->ui.crosshair_sieve = touched->item;

@@ -65,7 +65,7 @@ list_speed_marks(const struct entry *entry, struct slider_range range,
 }
 
 void
-track_on_mouse(struct tui *t, const struct touched *touched)
+track_on_mouse(struct tui *t, const struct mouse_event *touched)
 {
 	struct area track = layout_track_area(&t->layout);
 	int column = touched->area.column + touched->column - track.column;

@@ -14,7 +14,7 @@ void track_draw_heading(struct tui *t);
 
 /* A mouse_action: moves the slider to where the mouse was pressed or
  * dragged. */
-void track_on_mouse(struct tui *t, const struct touched *touched);
+void track_on_mouse(struct tui *t, const struct mouse_event *touched);
 
 /* Runs the key that waits for the goal's speeds (pending_key) if they are
  * known.  If `now`, computes them first.  Drops the key if the slider has been

@@ -335,7 +335,7 @@ squeeze_spaces(char *line)
 
 /* Chooses the key that was clicked; the Enter that follows runs it. */
 static void
-on_click_key(struct tui *t, const struct touched *touched)
+on_click_key(struct tui *t, const struct mouse_event *touched)
 {
 	t->viewer.at = (int)touched->item;
 }
