@@ -249,7 +249,7 @@ drop_equal_sizes(double *size, size_t n)
 }
 
 /* Chooses the classes: the sizes of the site, sizes between them, and those of
- * the screens.  If a feed has very many sieves, only some of them are taken,
+ * the screens.  If there are very many sieves, only some of them are taken,
  * because the work grows with the third power of their number. */
 static void
 choose_class_sizes(struct plant *p)
@@ -259,12 +259,11 @@ choose_class_sizes(struct plant *p)
 	struct psd sieves = predict_table_sizes(p->question->entry->site, feed);
 	struct psd all = psd_new_with_sizes_between(sieves.size, sieves.n);
 	struct circuit *c = p->circuit;
-	const struct psd *from = all.n <= MOST ? &all : feed;
+	const struct psd *from = all.n <= MOST ? &all : &sieves;
 	size_t step = (from->n + MOST - 1) / MOST;
-	p->size = xcalloc_doubles(from->n + c->n_unit + 2);
+	p->size = xcalloc_doubles(from->n + c->n_unit + 1);
 	for (size_t i = 0; i < from->n; i += step)
 		p->size[p->n++] = from->size[i];
-	p->size[p->n++] = all.size[0];
 	p->size[p->n++] = from->size[from->n - 1];
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_SCREEN)

@@ -27,7 +27,8 @@ void crusher_free(struct crusher *crusher);
 /* Sets the feed of the question and the sieves [n], m, coarsest first, at which
  * its product is predicted.  At those sieves that are sizes of the crusher,
  * this feed then gives exactly the predicted product, and other feeds are
- * corrected by the same difference per tonne. */
+ * corrected by the same difference per tonne.  Between these sieves every
+ * product is straight in log size (D20), but not coarser than its feed. */
 void crusher_set_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
 
@@ -45,8 +46,7 @@ void transfer_compute_product(
     const struct transfer *t, size_t draw, const double *in, double *out);
 
 /* Computes the masses of the crusher's classes in a feed, [n] out, with sum 1.
- * All of the feed must pass the coarsest size.  For draws, the feed's curve is
- * smooth between its sieves (D18). */
+ * All of the feed must pass the coarsest size. */
 void crusher_class_masses_of_feed(
     const struct crusher *c, const struct psd *feed, double *out);
 
