@@ -166,20 +166,30 @@ note_rotor_of_each_crusher(
 	}
 }
 
-/* Warns of readings that no crusher can have. */
+/* Makes a reason of readings that no crusher can have.  The sentence about the
+ * light names one red reason alone; others are warnings of their own. */
 static void
-warn_of_impossible_readings(const struct plant *p, struct answer *r)
+add_reason_of_readings(struct answer *r, struct trust *t, const char *reason)
+{
+	if (t->light == LIGHT_RED)
+		answer_say(r, ANSWER_WARNING, "%s", reason);
+	trust_add_reason(t, LIGHT_RED, TRUST_DATA, xstrdup(reason));
+}
+
+static void
+judge_readings(const struct plant *p, struct answer *r, struct trust *t)
 {
 	if (power_falls_with_speed(p->reading, p->n_reading))
-		answer_say(r, ANSWER_WARNING,
-		    "the readings contradict the estimate of power: power "
-		    "cannot fall while the speed rises and the t/h do not "
-		    "fall; check the readings");
+		add_reason_of_readings(r, t,
+		    tr("the readings contradict the estimate of power: power "
+		       "cannot fall while the speed rises and the t/h do not "
+		       "fall; check the readings"));
 	if (p->power.below)
-		answer_say(r, ANSWER_WARNING,
-		    "the readings give less power than Q v2, the power that "
-		    "brings the rock to the tip speed: check m/s, kW and t/h, "
-		    "and whether all of it passes the rotor (cascade=)");
+		add_reason_of_readings(r, t,
+		    tr("the readings give less power than Q v2, the power that "
+		       "brings the rock to the tip speed: check m/s, kW and "
+		       "t/h, and whether all of it passes the rotor "
+		       "(cascade=)"));
 }
 
 static void
@@ -442,7 +452,6 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	    "circuit %s",
 	    o->speed, answers_is_speed_extrapolated(entry, o->speed),
 	    p->circuit->tph, what);
-	warn_of_impossible_readings(p, r);
 	add_stream_rows(p, o, r);
 	note_mass_balance(p, o, r);
 	note_rotor_of_each_crusher(p, o, r);
@@ -467,8 +476,9 @@ add_streams_and_basis(
 		    "which are finer than those of predict");
 	fields_put_values(
 	    answer_fields(r), "level %g", 100 * p->question->level);
-	answers_show_basis(
-	    p->s, r, p->question, 0, band, worst_trust_of_crushers(p, o));
+	struct trust trust = worst_trust_of_crushers(p, o);
+	judge_readings(p, r, &trust);
+	answers_show_basis(p->s, r, p->question, 0, band, trust);
 }
 
 /* A flow sheet that is drawn as an image needs no words. */
