@@ -510,6 +510,26 @@ plant_speed_of_unit(const struct unit *unit, double speed)
 	return unit->speed > 0 ? unit->speed : speed;
 }
 
+char *
+plant_fixed_speeds_text(const struct plant *p, double *first)
+{
+	char *text = xstrdup("");
+	bool free_speed = false;
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
+		if (unit->kind != UNIT_CRUSHER)
+			continue;
+		free_speed = free_speed || !(unit->speed > 0);
+		if (text[0] == '\0' && first != NULL)
+			*first = unit->speed;
+		xappend_to_list(&text, ", ", "%.4g", unit->speed);
+	}
+	if (text[0] != '\0' && !free_speed)
+		return text;
+	free(text);
+	return NULL;
+}
+
 /* Adds the power and the earnings of a draw.  A model alone has a single
  * product, which serves all draws of the power. */
 static void
