@@ -161,7 +161,8 @@ struct command_operands {
  * a two-word alias ("store list") is the name shown to people.  others:
  * commands that are meant instead if a line has an option that only they have,
  * or a range of speeds ("predict 65..85"), see command_meant_by_words.  bare:
- * the option that a bare word sets ("predict 74"), or NULL.  text: sentences
+ * the option that a bare word sets ("predict 74"), or NULL; beside operands
+ * it must be a number ("report 74").  text: sentences
  * for help and manual.  more: further sentences for the manual, or NULL.
  * example: lines of a script that runs in a folder with the project's data/. */
 struct command {

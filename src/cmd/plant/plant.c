@@ -223,7 +223,7 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 			    args_option_name(args, of_file[i]), path);
 	files_note_read(p->s, path);
 	p->from_file = true;
-	p->circuit = circuit_file_read(path, &errors);
+	p->circuit = circuit_file_read(path, p->question->entry->site, &errors);
 	if (p->circuit == NULL)
 		return session_report_file_faults(p->s, path, &errors, error);
 	if (p->circuit->tph > 0 || args->tph > 0)
