@@ -37,8 +37,9 @@ const struct point_mark *mark_of_character(char code);
 /* Returns character i of the full or hollow marks, which repeat cyclically. */
 char mark_character(unsigned i, bool hollow);
 
-/* The site of a point, for a chart with several sites.  label: text that may be
- * shown beside the point, or NULL. */
+/* The site of a point and the source of its data, for a chart with several.
+ * site: NULL for data of no site.  label: text that may be shown beside the
+ * point, or NULL. */
 struct chart_whose {
 	char *site, *about, *label;
 };
