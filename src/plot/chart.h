@@ -37,9 +37,9 @@ const struct point_mark *mark_of_character(char code);
 /* Returns the character of full or hollow mark i; these repeat cyclically. */
 char mark_character(unsigned i, bool hollow);
 
-/* The site or material of a point, for a chart with several.  about: the source
- * of its data.  label: a text to show beside the point if there is room, or
- * NULL. */
+/* The site or material of a point, for a chart with several; NULL for data of
+ * no site.  about: the source of its data.  label: a text to show beside the
+ * point if there is room, or NULL. */
 struct chart_whose {
 	char *site, *about, *label;
 };

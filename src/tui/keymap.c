@@ -17,7 +17,6 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
 #include "cmd/lang/parse.h"
-#include "io/sitefile/column_header.h"
 #include "tui/acts.h"
 #include "tui/widgets/dialog.h"
 #include "tui/widgets/file_picker.h"
@@ -459,7 +458,8 @@ go_to_typed_speed(struct tui *t, const char *text)
 	bool read = value_parse_number(text, said ? "rpm" : "m/s", &v);
 	/* A number above SITE_FASTEST must be rpm: no tip speed is as high. */
 	bool turns = said || v > SITE_FASTEST;
-	double speed = turns ? speed_in_unit_to_mps(v, SPEED_RPM, rotor) : v;
+	double speed =
+	    turns && rotor > 0 ? site_speed_from_rpm(tui_site(t), v, rotor) : v;
 	if (!read)
 		tui_say(t, true,
 		    "expected a speed such as 72.5 or 1450 rpm, got %s", text);

@@ -169,7 +169,7 @@ static bool
 read_circuit(const char *path)
 {
 	struct error_list errors = {0};
-	struct circuit *circuit = circuit_file_read(path, &errors);
+	struct circuit *circuit = circuit_file_read(path, NULL, &errors);
 	circuit_free(circuit);
 	return circuit != NULL;
 }

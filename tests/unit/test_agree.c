@@ -160,6 +160,29 @@ ask_sweep(struct desk *desk, const struct tested *q)
 	}
 }
 
+/* A fraction whose screens lie between sieves: straight in log size (D20), in
+ * figures, card's tonnes and flow.  flow's screens take their share. */
+static void
+ask_fraction_between_sieves(struct desk *desk, const struct tested *q, size_t i)
+{
+	double mm = 1000 * q->product.size[i];
+	char name[60], column[80];
+	snprintf(name, sizeof name, "%.4g/%.4g", 1.07 * mm, 1.63 * mm);
+	ask(desk, "figures %.17g of=%s%s", q->v, name, q->with);
+	double share = said(desk, NULL, 0, "value"),
+	       low = said(desk, NULL, 0, "low"),
+	       high = said(desk, NULL, 0, "high");
+	ask(desk, "flow tph=100 speed=%.17g fractions=%s%s", q->v, name,
+	    q->with);
+	same(q, "flow", name, said_of(desk, "name", name, "share_pct"), share);
+	same(q, "flow", name, said_of(desk, "name", name, "low_tph"), low);
+	same(q, "flow", name, said_of(desk, "name", name, "high_tph"), high);
+	ask(desk, "card speeds=%.17g tph=100 fractions=%s%s", q->v, name,
+	    q->with);
+	snprintf(column, sizeof column, "tph_%s", name);
+	same(q, "card", name, said(desk, NULL, 0, column), share);
+}
+
 /* What is asked of a sieve, and of a size, by figures, card, compare, flow. */
 static void
 ask_figures(struct desk *desk, const struct tested *q, size_t i)
@@ -197,6 +220,7 @@ ask_figures(struct desk *desk, const struct tested *q, size_t i)
 	same(q, "flow", "passing", said(desk, NULL, 0, "share_pct"),
 	    q->product.passing[i]);
 	same(q, "flow", "low", said(desk, NULL, 0, "low_tph"), q->low[i]);
+	ask_fraction_between_sieves(desk, q, i);
 }
 
 /* The balance of masses is that of the model alone. */

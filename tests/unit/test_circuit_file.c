@@ -10,7 +10,7 @@ static struct circuit *
 read_circuit(const char *text, struct error_list *errors)
 {
 	*errors = (struct error_list){0};
-	return circuit_file_read(put_sheet(text, strlen(text)), errors);
+	return circuit_file_read(put_sheet(text, strlen(text)), NULL, errors);
 }
 
 static void

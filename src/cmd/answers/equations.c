@@ -143,8 +143,9 @@ rmse_of_params_at_run(const struct equation_example *w,
 	return rmse;
 }
 
-/* Says what Eq 1 gives if read literally: all progeny classes get the same
- * share, whatever beta is. */
+/* Says what the literal reading gives: each progeny class has the same share,
+ * whatever beta is, unless p of a parent's size is negative, which is clipped
+ * (D4). */
 static void
 say_effect_of_literal_appearance(
     struct answer *r, const struct equation_example *w)
@@ -171,12 +172,21 @@ say_effect_of_literal_appearance(
 	fields_put_values(fields_add_object(answer_fields(r), "d3"),
 	    "beta_moves_pct %g literal_rmse_pct %g used_rmse_pct %g", most, off,
 	    used);
+	bool clipped = most >= 1e-9;
 	answer_note(r,
-	    "D3, the progeny: with x_i the parent's size all progeny classes "
-	    "get the same share, and beta 1, 0, 0, 0 moves the product by %.2g "
-	    "points; it misses the two runs by %.2f points (RMSE), u = progeny "
-	    "/ parent by %.2f",
-	    most < 1e-9 ? 0 : most, off, used);
+	    clipped ? N_("D3, the progeny: with x_i the parent's size all "
+			 "progeny classes get the same share, except where p "
+			 "of that size in mm is negative: there it is clipped "
+			 "to 0 (D4) and the parent keeps its size; beta 1, 0, "
+			 "0, 0, which is never clipped, moves the product by "
+			 "%.2g points; it misses the two runs by %.2f points "
+			 "(RMSE), u = progeny / parent by %.2f")
+		    : N_("D3, the progeny: with x_i the parent's size all "
+			 "progeny classes get the same share, and beta 1, 0, "
+			 "0, 0 moves the product by %.2g points; it misses the "
+			 "two runs by %.2f points (RMSE), u = progeny / parent "
+			 "by %.2f"),
+	    clipped ? most : 0, off, used);
 }
 
 /* Searches a grid over the bounds of Table 2 for parameters with a smaller Eq 5

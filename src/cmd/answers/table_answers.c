@@ -166,6 +166,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "keep a prediction to compare others with",
 	.operands = {"[off]", {"off"}, 0, 1},
 	.flags = COMMAND_CHANGES | COMMAND_DURING_SEARCH,
+	.bare = "speed",
 	.option = OPTION_LIST({LAST_SPEED},
 	    {FEED(feed), "m/s", 1, SITE_FASTEST, NULL, "",
 		"take the feed sampled at this speed, or the mean"}),
@@ -174,7 +175,7 @@ const struct command TABLE_ANSWERS[] = {
 		"full-screen mode shows it beside the prediction, and so do "
 		"plot psd and describe psd with beside=pinned. 'pin off' "
 		"unpins it.",
-	.example = "load data/sites/tierp.csv\ncalibrate\npin speed=69\n"
+	.example = "load data/sites/tierp.csv\ncalibrate\npin 69\n"
 		   "describe psd speed=74 beside=pinned",
 	.run = cmd_pin},
     {.name = "figures",
@@ -506,6 +507,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "write a report on the site in use to one file",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_DAILY | COMMAND_CONDITIONS,
+	.bare = "speed",
 	.option = OPTION_LIST(
 	    {SPEED(speed), "rotor tip speed; default: the best one for the "
 			   "conditions, else a held-out speed, else 74"},

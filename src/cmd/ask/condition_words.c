@@ -41,8 +41,10 @@ find_first_condition_word(const struct words *words)
 	const struct command *command = words->command;
 	bool takes =
 	    command != NULL && (command->flags & COMMAND_CONDITIONS) != 0;
+	bool speed = takes && command->bare != NULL && words->n > 1 &&
+		     value_is_speed(words->text[1]);
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
-		return 1;
+		return speed ? 2 : 1;
 	return takes && words->n > 3 && text_same_folded(words->text[1], "goal")
 		   ? 2
 		   : 0;

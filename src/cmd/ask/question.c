@@ -18,7 +18,6 @@
 #include "cmd/lang/parse.h"
 #include "cmd/session/invocation.h"
 #include "cmd/session/undo.h"
-#include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
 /* Returns "feed b.csv, cascade 10 %".  The caller frees it. */
@@ -136,7 +135,7 @@ parse_speed_or_rpm(
 		    "write: %s rpm=%g rotor_mm=DIAMETER, or a line rotor_mm in "
 		    "the site file",
 		    name, site->name, name, rpm);
-	q->speed = speed_in_unit_to_mps(rpm, SPEED_RPM, diameter);
+	q->speed = site_speed_from_rpm(site, rpm, diameter);
 	return (q->speed >= 1 && q->speed <= SITE_FASTEST) ||
 	       error_set(error, ERROR_USAGE,
 		   "%s: expected a tip speed from 1 to %d m/s, got %g (%g "

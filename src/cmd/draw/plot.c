@@ -138,7 +138,8 @@ add_site_cells_of_point(
     struct answer *r, const struct chart_series *series, size_t i)
 {
 	const struct chart_whose *whose = series->whose;
-	answer_add_cells(r, "%s %s", whose != NULL ? whose[i].site : "",
+	bool site = whose != NULL && whose[i].site != NULL;
+	answer_add_cells(r, "%s %s", site ? whose[i].site : "",
 	    whose != NULL ? whose[i].about : "");
 }
 

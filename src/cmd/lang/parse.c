@@ -334,6 +334,14 @@ value_parse_number(const char *word, const char *unit, double *value)
 	return text_parse_typed_number(text, value);
 }
 
+bool
+value_is_speed(const char *word)
+{
+	double v;
+	return value_parse_number(word, "m/s", &v) ||
+	       value_parse_number(word, "rpm", &v);
+}
+
 const char *
 value_parse_blend_feed(const char *text, size_t *length, double *share)
 {
@@ -640,7 +648,8 @@ parse_argument(
 		if (i == OPTIONS)
 			return false;
 		word = equals + 1;
-	} else if (command->bare != NULL) {
+	} else if (command->bare != NULL &&
+		   (command->operands.most == 0 || value_is_speed(word))) {
 		size_t bare = command_option_index(command, command->bare);
 		i = args->value[bare].given ? OPTIONS : bare;
 	}

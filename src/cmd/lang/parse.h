@@ -73,6 +73,9 @@ bool value_parse(const struct command_option *option, const char *word,
 /* Parses a number with or without its unit: 69, 69m/s. */
 bool value_parse_number(const char *word, const char *unit, double *value);
 
+/* True for "72", "72m/s" and "1500rpm". */
+bool value_is_speed(const char *word);
+
 /* Parses the first feed of a blend "a.csv*0.6+b.csv*40%": the length of its
  * name, and its share.  Without a share, sets the length of the whole text and
  * NAN.  Returns the rest, which begins with the next feed, or NULL after the

@@ -168,20 +168,30 @@ note_rotor_of_each_crusher(
 	}
 }
 
-/* Warns of readings of the motor that are physically impossible. */
+/* Makes a reason of readings that no crusher can have.  The sentence about the
+ * light names one red reason alone; others are warnings of their own. */
 static void
-warn_of_impossible_readings(const struct plant *p, struct answer *r)
+add_reason_of_readings(struct answer *r, struct trust *t, const char *reason)
+{
+	if (t->light == LIGHT_RED)
+		answer_say(r, ANSWER_WARNING, "%s", reason);
+	trust_add_reason(t, LIGHT_RED, TRUST_DATA, xstrdup(reason));
+}
+
+static void
+judge_readings(const struct plant *p, struct answer *r, struct trust *t)
 {
 	if (power_falls_with_speed(p->reading, p->n_reading))
-		answer_say(r, ANSWER_WARNING,
-		    "the readings contradict the estimate of power: power "
-		    "cannot fall while the speed rises and the t/h do not "
-		    "fall; check the readings");
+		add_reason_of_readings(r, t,
+		    tr("the readings contradict the estimate of power: power "
+		       "cannot fall while the speed rises and the t/h do not "
+		       "fall; check the readings"));
 	if (p->power.below)
-		answer_say(r, ANSWER_WARNING,
-		    "the readings give less power than Q v2, the power that "
-		    "brings the rock to the tip speed: check m/s, kW and t/h, "
-		    "and whether all of it passes the rotor (cascade=)");
+		add_reason_of_readings(r, t,
+		    tr("the readings give less power than Q v2, the power that "
+		       "brings the rock to the tip speed: check m/s, kW and "
+		       "t/h, and whether all of it passes the rotor "
+		       "(cascade=)"));
 }
 
 static void
@@ -228,15 +238,18 @@ note_earnings(
 			xappend_to_list(&none, ", ", "%s", unit->name);
 	}
 	FREED char *band = quantities_band_text(range[0], range[1], 2);
+	FREED char *fixed = plant_fixed_speeds_text(p, NULL);
 	FREED char *rpm = rotor_speed_rpm_text(
 	    p->question->entry->site->rotor, o->speed, NAN);
+	FREED char *speed =
+	    fixed != NULL ? xstrdup(fixed) : xasprintf("%.4g", o->speed);
 	answer_note(r,
-	    !(p->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s%s")
+	    !(p->kwh > 0) ? N_("earnings %.2f an hour%s at %s m/s%s")
 	    : !p->power.least
-		? N_("earnings %.2f an hour%s at %.4g m/s%s, less the power")
-		: N_("earnings %.2f an hour%s at %.4g m/s%s, less the lowest "
+		? N_("earnings %.2f an hour%s at %s m/s%s, less the power")
+		: N_("earnings %.2f an hour%s at %s m/s%s, less the lowest "
 		     "possible power"),
-	    o->money, band, o->speed, rpm);
+	    o->money, band, speed, fixed != NULL ? "" : rpm);
 	if (none[0] != '\0')
 		answer_say(
 		    r, ANSWER_REMARK, "no price, counted as 0: %s", none);
@@ -426,6 +439,20 @@ worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 	return worst;
 }
 
+static bool
+is_crusher_extrapolated(const struct plant *p, const struct plant_result *o)
+{
+	bool is = false;
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
+		double speed = plant_speed_of_unit(unit, o->speed);
+		is = is || (unit->kind == UNIT_CRUSHER &&
+			       answers_is_speed_extrapolated(
+				   p->question->entry, speed));
+	}
+	return is;
+}
+
 static struct answer *
 begin_flow_answer(const struct plant *p, const struct plant_result *o)
 {
@@ -437,16 +464,18 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 						      : tr("circuit of a file"))
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
+	FREED char *fixed = plant_fixed_speeds_text(p, NULL),
+		   *speed = fixed != NULL ? xstrdup(fixed)
+					  : xasprintf("%.4g", o->speed);
 	struct answer *r = answer_about_site(entry->site, "flow",
-	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
+	    "%g t/h at %s m/s%s%s", p->circuit->tph, speed,
 	    p->from_file || back[0] != '\0' ? ", " : "",
 	    p->from_file || back[0] != '\0' ? what : "");
 	fields_put_values(answer_fields(r),
 	    "speed %g extrapolated %d feed_tph %g "
 	    "circuit %s",
-	    o->speed, answers_is_speed_extrapolated(entry, o->speed),
+	    fixed != NULL ? NAN : o->speed, is_crusher_extrapolated(p, o),
 	    p->circuit->tph, what);
-	warn_of_impossible_readings(p, r);
 	add_stream_rows(p, o, r);
 	note_mass_balance(p, o, r);
 	note_rotor_of_each_crusher(p, o, r);
@@ -471,8 +500,9 @@ add_streams_and_basis(
 		    "which are finer than those of predict");
 	fields_put_values(
 	    answer_fields(r), "level %g", 100 * p->question->level);
-	answers_show_basis(
-	    p->s, r, p->question, 0, band, worst_trust_of_crushers(p, o));
+	struct trust trust = worst_trust_of_crushers(p, o);
+	judge_readings(p, r, &trust);
+	answers_show_basis(p->s, r, p->question, 0, band, trust);
 }
 
 /* Shows the answer, or only keeps it if it is drawn as an image. */
@@ -606,6 +636,19 @@ flow_chart_by_speed(const struct plant *p, double from, double to)
 	return chart;
 }
 
+/* Refuses speed= and best=on where the crushers have the speeds `fixed`. */
+static bool
+refuse_speed_if_fixed(
+    const struct args *args, const char *fixed, struct error *error)
+{
+	if (!args_is_given(args, &args->speed) && !args->best)
+		return true;
+	return error_set(error, ERROR_USAGE,
+	    "%s changes nothing: each crusher of %s has a speed of its own, "
+	    "%s m/s\nleave out speed= of a crusher in that file",
+	    args->best ? "best=on" : "speed=", args->circuit, fixed);
+}
+
 bool
 cmd_flow(struct session *s, const struct args *args, struct question *q,
     struct error *error)
@@ -614,8 +657,12 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 	question_use_last_speed_and_feed(s, args, q);
 	if (!plant_parse_options(s, args, q, &p, error))
 		return false;
-	bool ok = args->best ? show_best_speed_for_flow(&p, args, error)
-			     : show_flow_at_speed(&p, q->speed, error);
+	double speed = q->speed;
+	FREED char *fixed = plant_fixed_speeds_text(&p, &speed);
+	bool ok = fixed == NULL || refuse_speed_if_fixed(args, fixed, error);
+	ok = ok && (args->best ? show_best_speed_for_flow(&p, args, error)
+			       : show_flow_at_speed(&p,
+				     fixed != NULL ? speed : q->speed, error));
 	if (ok && plot_is_image_wanted(s) && s->document == NULL) {
 		double from, to;
 		ok = conditions_speed_range_of_args(

@@ -226,7 +226,7 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 			    args_option_name(args, of_file[i]), path);
 	files_note_read(p->s, path);
 	p->from_file = true;
-	p->circuit = circuit_file_read(path, &errors);
+	p->circuit = circuit_file_read(path, p->question->entry->site, &errors);
 	if (p->circuit == NULL)
 		return session_report_file_faults(p->s, path, &errors, error);
 	if (p->circuit->tph > 0 || args->tph > 0)
@@ -251,9 +251,9 @@ drop_equal_sizes(double *size, size_t n)
 	return kept;
 }
 
-/* Chooses the edges of the size classes: the site's sieves, sizes between them,
- * and the screens.  Of very many sieves it takes only some, because the work
- * grows with the third power of their number. */
+/* Chooses the classes: the sizes of the site, sizes between them, and those of
+ * the screens.  If there are very many sieves, only some of them are taken,
+ * because the work grows with the third power of their number. */
 static void
 choose_class_sizes(struct plant *p)
 {
@@ -262,12 +262,11 @@ choose_class_sizes(struct plant *p)
 	struct psd sieves = predict_table_sizes(p->question->entry->site, feed);
 	struct psd all = psd_new_with_sizes_between(sieves.size, sieves.n);
 	struct circuit *c = p->circuit;
-	const struct psd *from = all.n <= MOST ? &all : feed;
+	const struct psd *from = all.n <= MOST ? &all : &sieves;
 	size_t step = (from->n + MOST - 1) / MOST;
-	p->size = xcalloc_doubles(from->n + c->n_unit + 2);
+	p->size = xcalloc_doubles(from->n + c->n_unit + 1);
 	for (size_t i = 0; i < from->n; i += step)
 		p->size[p->n++] = from->size[i];
-	p->size[p->n++] = all.size[0];
 	p->size[p->n++] = from->size[from->n - 1];
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_SCREEN)
@@ -514,8 +513,28 @@ plant_speed_of_unit(const struct unit *unit, double speed)
 	return unit->speed > 0 ? unit->speed : speed;
 }
 
-/* Adds the power and the earnings of draw d.  Without draws of the product, its
- * single flow serves all draws of the power. */
+char *
+plant_fixed_speeds_text(const struct plant *p, double *first)
+{
+	char *text = xstrdup("");
+	bool free_speed = false;
+	for (size_t u = 0; u < p->circuit->n_unit; u++) {
+		const struct unit *unit = &p->circuit->unit[u];
+		if (unit->kind != UNIT_CRUSHER)
+			continue;
+		free_speed = free_speed || !(unit->speed > 0);
+		if (text[0] == '\0' && first != NULL)
+			*first = unit->speed;
+		xappend_to_list(&text, ", ", "%.4g", unit->speed);
+	}
+	if (text[0] != '\0' && !free_speed)
+		return text;
+	free(text);
+	return NULL;
+}
+
+/* Adds the power and the earnings of a draw.  A model alone has a single
+ * product, which serves all draws of the power. */
 static void
 compute_power_and_earnings(
     const struct plant *p, struct plant_result *o, size_t d)

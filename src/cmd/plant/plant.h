@@ -53,8 +53,12 @@ double plant_share_through_rotor(
     const struct plant *p, const struct unit *unit);
 double plant_speed_of_unit(const struct unit *unit, double speed);
 
-/* Computes the results at a speed.  The caller frees the flow with
- * flow_free. */
+/* Returns "62, 74", the speeds of the crushers, if each has one of its own, so
+ * that the command's speed changes nothing; else NULL.  The caller frees it.
+ * *first, unless NULL, is then the first of them. */
+char *plant_fixed_speeds_text(const struct plant *p, double *first);
+
+/* Returns the outcome at a speed; free its flow with flow_free. */
 struct plant_result plant_compute_flow_at_speed(
     const struct plant *p, double speed);
 

@@ -10,8 +10,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "core/psd/rotor_speed.h"
 #include "core/psd/site.h"
-#include "io/sitefile/column_header.h"
 
 static const char RPM[] = "rpm", RPM_IS[] = "rpm=";
 
@@ -80,8 +80,8 @@ find_value_in_rpm(const struct words *words, size_t i)
 	return speed && is_value_in_rpm(value) ? value : NULL;
 }
 
-/* Returns the diameter in rotor_mm= or else that of the site, m; 0 if neither
- * states it. */
+/* Returns the diameter of rotor_mm= or else of the site in use, m; 0 if neither
+ * states it.  s: NULL without a site in use. */
 static double
 rotor_diameter_m(struct session *s, const struct words *words)
 {
@@ -92,7 +92,9 @@ rotor_diameter_m(struct session *s, const struct words *words)
 		    value_parse_number(
 			words->text[i] + strlen(OPTION), "mm", &mm))
 			return mm / 1000;
-	return s->n_entry > 0 ? session_current_entry(s)->site->rotor : 0;
+	return s != NULL && s->n_entry > 0
+		   ? session_current_entry(s)->site->rotor
+		   : 0;
 }
 
 /* Expands "1500..1600:50" to "1500,1550,1600", because equal steps in rpm need
@@ -115,10 +117,21 @@ expand_rpm_range_text(const char *turns)
 	return list;
 }
 
-/* Converts each number in the text from rpm to m/s, and removes the units.  The
- * caller frees it. */
+/* Returns the tip speed, m/s, of a number in rpm; without a site the rotor is
+ * that of rotor_mm=. */
+static double
+tip_speed_from_rpm(struct session *s, double rpm, double diameter)
+{
+	return s != NULL && s->n_entry > 0
+		   ? site_speed_from_rpm(
+			 session_current_entry(s)->site, rpm, diameter)
+		   : rotor_speed_from_rpm(rpm, diameter);
+}
+
+/* Converts each number in the text from rpm to m/s and removes the units.  The
+ * caller frees the result. */
 static char *
-convert_rpm_text_to_mps(const char *turns, double diameter)
+convert_rpm_text_to_mps(struct session *s, const char *turns, double diameter)
 {
 	char *text = xstrdup("");
 	while (*turns != '\0') {
@@ -132,8 +145,8 @@ convert_rpm_text_to_mps(const char *turns, double diameter)
 		FREED char *number = xstrndup(turns, n);
 		if (n > 0)
 			xappend(&text, "%g",
-			    speed_in_unit_to_mps(
-				strtod(number, NULL), SPEED_RPM, diameter));
+			    tip_speed_from_rpm(
+				s, strtod(number, NULL), diameter));
 		else
 			xappend(&text, "%c", *turns);
 		turns += n > 0 ? n : 1;
@@ -151,8 +164,47 @@ count_words_in_rpm(const struct words *words)
 	return n;
 }
 
-/* Sets the error for speeds in rpm without a known rotor, with what to type.
- * Returns false. */
+/* Returns the length of a speed in rpm at a place of a word whose other parts
+ * are not speeds, "cut.csv@1528rpm" or "power=1485rpm:210:120"; 0 if there is
+ * none. */
+static size_t
+length_of_rpm_within_word(const char *word, const char *at)
+{
+	static const char POWER[] = "power=";
+	bool power = strncmp(word, POWER, strlen(POWER)) == 0;
+	bool begins =
+	    at > word &&
+	    (at[-1] == '@' || (power && strchr("=,;", at[-1]) != NULL));
+	size_t n = begins ? strspn(at, "0123456789.") : 0;
+	bool ends = n > 0 && strncmp(at + n, RPM, strlen(RPM)) == 0 &&
+		    !isalnum((unsigned char)at[n + strlen(RPM)]);
+	return ends ? n + strlen(RPM) : 0;
+}
+
+/* Converts such speeds.  s: NULL for a command such as load, whose file has
+ * another rotor than the site in use. */
+static void
+convert_speeds_within_words(struct session *s, struct words *words)
+{
+	double diameter = rotor_diameter_m(s, words);
+	for (size_t i = 1; i < words->n && diameter > 0; i++) {
+		FREED char *now = xstrdup("");
+		for (const char *word = words->text[i], *at = word;
+		     *at != '\0';) {
+			size_t n = length_of_rpm_within_word(word, at);
+			FREED char *part = xstrndup(at, n > 0 ? n : 1);
+			FREED char *speed =
+			    n > 0 ? convert_rpm_text_to_mps(s, part, diameter)
+				  : NULL;
+			xappend(&now, "%s", n > 0 ? speed : part);
+			at += n > 0 ? n : 1;
+		}
+		if (strcmp(now, words->text[i]) != 0)
+			words_replace_by_one(words, i, 1, now);
+	}
+}
+
+/* Says what to type where speeds are in rpm and the rotor is not known. */
 static bool
 error_rotor_unknown(struct session *s, const struct words *words,
     struct place place, size_t i, struct error *error)
@@ -175,7 +227,11 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
     struct place place, struct error *error)
 {
 	const struct command *command = words->command;
-	size_t n = command != NULL ? count_words_in_rpm(words) : 0;
+	if (command == NULL)
+		return true;
+	bool needs_site = (command->flags & COMMAND_NEEDS_SITE) != 0;
+	convert_speeds_within_words(needs_site ? s : NULL, words);
+	size_t n = count_words_in_rpm(words);
 	double diameter = n > 0 ? rotor_diameter_m(s, words) : 0;
 	if (!(diameter > 0) && s->n_entry == 0)
 		return true;
@@ -193,7 +249,8 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 		if (!option && !(diameter > 0))
 			return error_rotor_unknown(s, words, place, i, error);
 		FREED char *steps = expand_rpm_range_text(turns);
-		FREED char *speeds = convert_rpm_text_to_mps(steps, diameter);
+		FREED char *speeds =
+		    convert_rpm_text_to_mps(s, steps, diameter);
 		FREED char *now =
 		    option ? xasprintf("rpm=%.*s",
 				 (int)strspn(turns, "0123456789."), turns)

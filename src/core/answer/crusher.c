@@ -28,9 +28,12 @@ struct crusher {
 	struct model_settings settings;
 	size_t n;
 	double *size;
-	struct feed_products *class; /* [n - 1]: all except the pan */
-	/* The question's feed: its masses [n] or NULL, and its product (whole)
-	 * at n_sieve sieves, which have the indices `at` among the sizes. */
+	struct feed_products *class; /* [n - 1], of each but the pan */
+	/* Where a size lies on the way to the next coarser sieve from the next
+	 * finer one, in log size; 1 at a sieve. */
+	double *share; /* [n] */
+	/* Of the question's feed: its masses [n], and at the sieves [n_sieve],
+	 * which are its sizes number `at`, its product; or NULL. */
 	double *feed;
 	size_t n_sieve, *at;
 	struct feed_products whole;
@@ -41,7 +44,7 @@ struct crusher {
  * predicted product (crusher_set_feed). */
 struct transfer {
 	size_t n, draws;
-	double *passing, *delta, *more;
+	double *passing, *delta, *more, *share;
 	double *feed; /* [n], room for the passing masses of a feed */
 };
 
@@ -77,8 +80,11 @@ crusher_new(const double *size, size_t n, const struct params *p,
 	    .settings = settings,
 	    .n = n,
 	    .size = xcalloc_doubles(n),
+	    .share = xcalloc_doubles(n),
 	    .class = xcalloc(n, sizeof *c->class)};
 	memcpy(c->size, size, n * sizeof *size);
+	for (size_t k = 0; k < n; k++)
+		c->share[k] = 1;
 	c->settings.bypass = 0;
 	for (size_t i = 0; i + 1 < n; i++) {
 		double bounds[2] = {size[i], size[i + 1]}, all[2] = {1, 0};
@@ -99,8 +105,20 @@ crusher_free(struct crusher *c)
 	free(c->feed);
 	free(c->at);
 	free(c->class);
+	free(c->share);
 	free(c->size);
 	free(c);
+}
+
+static void
+find_sizes_between_sieves(struct crusher *c)
+{
+	for (size_t i = 0; i + 1 < c->n_sieve; i++) {
+		size_t a = c->at[i], b = c->at[i + 1];
+		double width = el_log(c->size[a] / c->size[b]);
+		for (size_t k = a + 1; k < b; k++)
+			c->share[k] = el_log(c->size[k] / c->size[b]) / width;
+	}
 }
 
 void
@@ -120,6 +138,7 @@ crusher_set_feed(
 		c->at[c->n_sieve++] = k;
 	}
 	c->whole = open_feed_products(c, feed, known, c->n_sieve);
+	find_sizes_between_sieves(c);
 }
 
 /* Sums masses from the finest class on into below [n], which may be the array
@@ -135,9 +154,8 @@ cumulate_from_finest_class(const double *mass, size_t n, double *below)
 	return sum;
 }
 
-/* Computes the difference between the prediction and the sum of the classes, at
- * all sizes.  Between sieves the difference is linear in log size, but the
- * passing stays between those at the sieves. */
+/* Computes the difference between the prediction and the sum of the classes at
+ * the sieves. */
 static void
 transfer_correct_draw(const struct crusher *c, struct transfer *t, size_t d,
     const double *P, size_t apart, double *out)
@@ -147,18 +165,6 @@ transfer_correct_draw(const struct crusher *c, struct transfer *t, size_t d,
 	cumulate_from_finest_class(out, c->n, out);
 	for (size_t i = 0; i < c->n_sieve; i++)
 		more[c->at[i]] = P[i * apart] - out[c->at[i]];
-	for (size_t i = 0; i + 1 < c->n_sieve; i++) {
-		size_t a = c->at[i], b = c->at[i + 1];
-		double width = el_log(c->size[a] / c->size[b]);
-		for (size_t k = a + 1; k < b; k++) {
-			double P_k = out[k] + more[b] +
-				     (more[a] - more[b]) *
-					 el_log(c->size[k] / c->size[b]) /
-					 width;
-			P_k = fmin(fmax(P_k, P[(i + 1) * apart]), P[i * apart]);
-			more[k] = P_k - out[k];
-		}
-	}
 }
 
 static void
@@ -187,6 +193,8 @@ crusher_transfer_at_speed(struct crusher *c, double v)
 	t->draws = c->posterior != NULL ? DRAWS : 1;
 	t->passing = xcalloc_doubles(t->draws * n * n);
 	t->feed = xcalloc_doubles(n);
+	t->share = xcalloc_doubles(n);
+	memcpy(t->share, c->share, n * sizeof *t->share);
 	for (size_t i = 0; i + 1 < n; i++) {
 		if (c->posterior == NULL) {
 			model_product(c->class[i].model, v, t->passing + i * n);
@@ -220,6 +228,7 @@ transfer_free(struct transfer *t)
 	free(t->passing);
 	free(t->delta);
 	free(t->more);
+	free(t->share);
 	free(t->feed);
 	free(t);
 }
@@ -230,48 +239,71 @@ transfer_count_draws(const struct transfer *t)
 	return t->draws;
 }
 
+/* Makes the passings between two sieves, sizes `above` and `below`, straight in
+ * log size (D20), but not coarser than the feed. */
+static void
+interpolate_between_sieves(
+    const struct transfer *t, size_t above, size_t below, double *P)
+{
+	for (size_t k = above + 1; k < below; k++) {
+		double straight =
+		    P[below] + t->share[k] * (P[above] - P[below]);
+		P[k] = fmax(straight, t->feed[k]);
+	}
+}
+
+/* Corrects passings of the product, P [n], of `total` mass. */
+static void
+correct_passings_of_product(
+    const struct transfer *t, size_t draw, double total, double *P)
+{
+	size_t n = t->n, finer = n;
+	const double *delta = t->delta != NULL ? t->delta + draw * n : NULL;
+	const double *more = t->more != NULL ? t->more + draw * n : NULL;
+	for (size_t i = n; i-- > 0;) {
+		if (t->share[i] < 1)
+			continue;
+		double least = finer < n ? P[finer] : 0;
+		least = fmax(t->feed[i], least);
+		if (delta != NULL && total > 0)
+			P[i] = total * discrepancy_correct_passing(P[i] / total,
+					   delta[i], least / total);
+		if (more != NULL)
+			P[i] += total * more[i];
+		P[i] = fmin(fmax(P[i], least), total);
+		interpolate_between_sieves(t, i, finer, P);
+		finer = i;
+	}
+}
+
 void
 transfer_compute_product(
     const struct transfer *t, size_t draw, const double *in, double *out)
 {
 	size_t n = t->n;
 	const double *row = t->passing + draw * (n - 1) * n;
-	const double *delta = t->delta != NULL ? t->delta + draw * n : NULL;
-	const double *more = t->more != NULL ? t->more + draw * n : NULL;
-	double *feed = t->feed, *below = out, finer = 0;
-	double total = cumulate_from_finest_class(in, n, feed);
+	double *below = out, total = cumulate_from_finest_class(in, n, t->feed);
 	for (size_t i = 0; i < n; i++)
 		below[i] = in[n - 1];
 	for (size_t j = 0; j + 1 < n; j++, row += n)
 		for (size_t i = 0; i < n && in[j] > 0; i++)
 			below[i] += in[j] * row[i];
-	for (size_t i = n; i-- > 0;) {
-		double least = fmax(feed[i], finer), P = below[i];
-		if (delta != NULL && total > 0)
-			P = total * discrepancy_correct_passing(
-					P / total, delta[i], least / total);
-		if (more != NULL)
-			P += total * more[i];
-		P = fmin(fmax(P, least), total);
-		below[i] = P - finer;
-		finer = P;
-	}
+	correct_passings_of_product(t, draw, total, below);
 	/* All mass passes the coarsest size: the coarsest class gets what
 	 * rounding lost. */
-	out[0] += total - finer;
+	below[0] = total;
+	for (size_t i = 0; i + 1 < n; i++)
+		out[i] = below[i] - below[i + 1];
 }
 
 void
 crusher_class_masses_of_feed(
     const struct crusher *c, const struct psd *feed, double *out)
 {
-	struct psd curve =
-	    c->posterior != NULL ? psd_smooth_curve(feed) : psd_copy(feed);
 	double finer = 0;
 	for (size_t i = c->n; i-- > 0;) {
-		double P = psd_passing(&curve, c->size[i]);
+		double P = psd_passing(feed, c->size[i]);
 		out[i] = P - finer;
 		finer = P;
 	}
-	psd_free(&curve);
 }

@@ -25,9 +25,10 @@ struct crusher *crusher_new(const double *size, size_t n,
 void crusher_free(struct crusher *crusher);
 
 /* Sets the feed of the question and the sieves [n], m, coarsest first, at which
- * its product is predicted.  This feed then gives exactly the predicted product
- * at the sieves that are also sizes of the crusher, and other feeds are
- * corrected by the same difference per tonne. */
+ * its product is predicted.  At those sieves that are sizes of the crusher,
+ * this feed then gives exactly the predicted product, and other feeds are
+ * corrected by the same difference per tonne.  Between these sieves every
+ * product is straight in log size (D20), but not coarser than its feed. */
 void crusher_set_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
 
@@ -44,9 +45,8 @@ size_t transfer_count_draws(const struct transfer *t);
 void transfer_compute_product(
     const struct transfer *t, size_t draw, const double *in, double *out);
 
-/* Computes out [n]: the masses of the crusher's classes in a feed, with sum 1.
- * All of the feed must pass the coarsest size.  If there is a posterior, the
- * feed's curve is taken to be smooth between its sieves (D18). */
+/* Computes the masses of the crusher's classes in a feed, [n] out, with sum 1.
+ * All of the feed must pass the coarsest size. */
 void crusher_class_masses_of_feed(
     const struct crusher *c, const struct psd *feed, double *out);
 

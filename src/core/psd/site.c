@@ -10,6 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/psd/blend.h"
+#include "core/psd/rotor_speed.h"
 
 struct site *
 site_new(size_t n_run)
@@ -369,6 +370,17 @@ site_run_at_speed(const struct site *site, double speed)
 	while (r < site->n_run && fabs(site->run[r].speed - speed) > 1e-3)
 		r++;
 	return r;
+}
+
+double
+site_speed_from_rpm(const struct site *site, double rpm, double diameter)
+{
+	for (size_t r = 0; r < site->n_run; r++) {
+		double v = site->run[r].speed;
+		if (v > 0 && round(rotor_speed_to_rpm(v, diameter)) == rpm)
+			return v;
+	}
+	return rotor_speed_from_rpm(rpm, diameter);
 }
 
 size_t

@@ -147,6 +147,11 @@ size_t site_count_products(const struct site *site);
  * repeats, or n_run if there is none. */
 size_t site_run_at_speed(const struct site *site, double speed);
 
+/* Returns the tip speed, m/s, of a rotor at rpm: that of a run with the same
+ * whole number of rpm, as speeds are shown; else as rotor_speed_from_rpm. */
+double site_speed_from_rpm(
+    const struct site *site, double rpm, double diameter);
+
 /* Returns the number of different speeds of the runs in use [n_run]. */
 size_t site_count_speeds(const struct site *site, const bool *use);
 

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "core/psd/rotor_speed.h"
 #include "core/psd/site.h"
 #include "io/cells/number.h"
 #include "io/cells/source.h"
@@ -25,6 +26,7 @@ enum { STREAMS = CIRCUIT_UNITS * UNIT_STREAMS * 2 };
 struct reading_circuit {
 	struct sheet *sheet;
 	struct circuit *circuit;
+	const struct site *site; /* whose rotor rpm are of, or NULL */
 	struct cell *made, *used, row[CIRCUIT_UNITS];
 };
 
@@ -143,7 +145,29 @@ static const char *const HINTS[UNIT_KINDS] = {
     [UNIT_STOCKPILE] = N_(
 	"write: stockpile,FROM + FROM,NAME, optionally followed by price=12")};
 
-/* Reads one cell, key=value. */
+/* Reads "1400rpm" as a speed of the site's rotor. */
+static void
+parse_speed_in_rpm(
+    const struct reading_circuit *r, struct cell cell, double *speed)
+{
+	double rotor = r->site != NULL ? r->site->rotor : 0, rpm;
+	FREED char *number =
+	    xstrndup(cell.text, strlen(cell.text) - strlen("rpm"));
+	if (!(rotor > 0))
+		sheet_fault_expected(r->sheet, cell,
+		    tr("a tip speed from 1 to 400 m/s"),
+		    "rpm need the rotor's diameter: a line rotor_mm in the "
+		    "site file");
+	else if (!text_parse_number(text_trim(number), &rpm) || !(rpm > 0) ||
+		 rotor_speed_from_rpm(rpm, rotor) > SITE_FASTEST)
+		sheet_fault_expected(r->sheet, cell,
+		    tr("a tip speed from 1 to 400 m/s"),
+		    "see tipspeed-circuit(5) for units");
+	else
+		*speed = site_speed_from_rpm(r->site, rpm, rotor);
+}
+
+/* Reads one cell key=value. */
 static void
 parse_circuit_unit_key(
     struct reading_circuit *r, struct unit *unit, struct cell cell)
@@ -158,11 +182,14 @@ parse_circuit_unit_key(
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
 		struct cell number = cell_with_part_of_text(r, cell, sign + 1);
-		if (parse_number_between(r, number, key->wanted, key->least,
-			key->most, &value)) {
-			void *to = (char *)unit + key->offset;
-			*(double *)to = value / key->scale;
+		double *to = (double *)((char *)unit + key->offset);
+		if (to == &unit->speed && text_ends_with(number.text, "rpm")) {
+			parse_speed_in_rpm(r, number, to);
+			return;
 		}
+		if (parse_number_between(
+			r, number, key->wanted, key->least, key->most, &value))
+			*to = value / key->scale;
 		return;
 	}
 	sheet_fault_expected(r->sheet, cell,
@@ -391,13 +418,15 @@ read_circuit_sheet(struct reading_circuit *r)
 }
 
 struct circuit *
-circuit_file_read(const char *path, struct error_list *errors)
+circuit_file_read(
+    const char *path, const struct site *site, struct error_list *errors)
 {
 	struct source source;
 	struct circuit *circuit = NULL;
 	if (source_read_sheets(path, errors, &source)) {
 		struct reading_circuit r = {.sheet = source.sheet[0],
 		    .circuit = circuit_new(),
+		    .site = site,
 		    .made = xcalloc(STREAMS, sizeof *r.made),
 		    .used = xcalloc(STREAMS, sizeof *r.used)};
 		read_circuit_sheet(&r);

@@ -5,12 +5,14 @@
 
 #include "base/error.h"
 #include "core/answer/circuit.h"
+#include "core/psd/site.h"
 
-/* Reads a circuit.  Every stream must have one source and one destination,
- * every unit must be fed, and all material must be able to reach a stockpile.
- * tph is 0 if the file does not state it.  On failure, returns NULL and adds
- * all faults of the file, each with line and column, to errors, which the
- * caller has zeroed. */
-struct circuit *circuit_file_read(const char *path, struct error_list *errors);
+/* Reads a circuit in which every stream has one source and one destination,
+ * every unit is fed, and all material can reach a stockpile.  tph is 0 if the
+ * file does not state it.  Speeds in rpm are those of the site's rotor; site
+ * may be NULL.  On failure, returns NULL and all faults of the file, each with
+ * line and column, in errors, zeroed by the caller. */
+struct circuit *circuit_file_read(
+    const char *path, const struct site *site, struct error_list *errors);
 
 #endif
