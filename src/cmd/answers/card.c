@@ -701,6 +701,9 @@ build_card_answer(
 	fields_put_values(answer_fields(r), "date %s machine %s model %s",
 	    today, entry->site->machine,
 	    breakage_model_of_params(&entry->params)->name);
+	answer_begin_table_for_programs(r);
+	answer_put_rows_as_objects(r, "rows");
+	answer_resume_table_for_people(r);
 	note_limits_of_card(r, all, row, n);
 	note_plant_and_power(r, all);
 	note_basis_of_card(r, s, all, &page, row, n);
