@@ -518,6 +518,7 @@ answer_view(const struct answer *a)
 	return (struct answer_view){.title = a->title,
 	    .site = a->site,
 	    .provenance = a->provenance,
+	    .names_sites = a->names_sites,
 	    .n_column = t->n_column,
 	    .n_row = count_table_rows(t),
 	    .n_sentence = a->n_sentence,
@@ -541,19 +542,35 @@ length_of_first_clause(const char *provenance)
 	return strcspn(provenance, ";");
 }
 
-/* Prints the columns before those of the answer. */
-static void
-print_csv_command_and_site(const struct answer *a, char separator, FILE *out)
+static bool
+table_has_column(const struct table *t, const char *key)
 {
-	fputs(a->command, out);
+	bool has = false;
+	for (size_t c = 0; c < t->n_column && !has; c++)
+		has = strcmp(t->key[c], key) == 0;
+	return has;
+}
+
+/* Prints the columns before those of the answer, or their names: the site and
+ * its provenance, each unless the rows have their own. */
+static void
+print_csv_command_and_site(
+    const struct answer *a, bool names, char separator, FILE *out)
+{
+	const struct table *t = table_for_programs(a);
+	fputs(names ? tr("command") : a->command, out);
 	if (a->site == NULL)
 		return;
-	fputc(separator, out);
-	text_write_sheet_cell(a->site, separator, out);
-	fputc(separator, out);
 	FREED char *kind =
 	    xstrndup(a->provenance, length_of_first_clause(a->provenance));
-	text_write_sheet_cell(kind, separator, out);
+	const char *cell[] = {a->site, kind};
+	const char *const key[] = {"site", "provenance"};
+	for (size_t i = 0; i < ARRAY_LEN(key); i++) {
+		if (table_has_column(t, key[i]))
+			continue;
+		fputc(separator, out);
+		text_write_sheet_cell(names ? key[i] : cell[i], separator, out);
+	}
 }
 
 static void
@@ -575,16 +592,14 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	size_t rows = told ? a->n_sentence : count_table_rows(t);
 	if (t->n_column == 0 && !told)
 		return 0;
-	fputs(tr("command"), out);
-	if (a->site != NULL)
-		fprintf(out, "%csite%cprovenance", separator, separator);
+	print_csv_command_and_site(a, true, separator, out);
 	for (size_t c = 0; c < t->n_column; c++)
 		fprintf(out, "%c%s", separator, t->key[c]);
 	if (told)
 		fprintf(out, "%csentence", separator);
 	fputc('\n', out);
 	for (size_t row = 0; row < rows; row++) {
-		print_csv_command_and_site(a, separator, out);
+		print_csv_command_and_site(a, false, separator, out);
 		for (size_t c = 0; c < t->n_column; c++) {
 			fputc(separator, out);
 			print_csv_cell(

@@ -13,7 +13,8 @@
  * sentences; csv and json are exact.  csv prints the table, with the shortest
  * numbers that read back unchanged; json prints the fields, %.17g, or the rows
  * of the table if there are no fields.  csv puts command, site and provenance
- * into columns, so each row states its source.  Without a table the sentences
+ * into columns, so each row states its source, unless the rows have columns of
+ * these names.  Without a table the sentences
  * are the answer: people see them with full stops, csv prints a row for each,
  * json a list.  A table wider than the screen continues in further blocks, each
  * with the first column repeated. */
@@ -119,8 +120,8 @@ void answer_note(struct answer *answer, const char *format, ...)
 void answer_note_column(struct answer *answer, const char *name,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* The answer as people see it, borrowed: title, site and provenance or NULL, a
- * table row by row (the table for programs if there is no other), sentences.
+/* The answer as people see it, borrowed: title, site and provenance or NULL
+ * (names_sites: they are of several), a table row by row (the table for programs if there is no other), sentences.
  * In a cell, text is what people see; number is exact, NAN if missing, shown
  * with `decimals`, or as many as needed if that is -1; key is what programs see
  * instead of a text, or NULL. */
@@ -137,6 +138,7 @@ struct answer_sentence {
 };
 struct answer_view {
 	const char *title, *site, *provenance;
+	bool names_sites;
 	size_t n_column, n_row, n_sentence;
 	char *const *head;
 	const struct answer_cell *cell;

@@ -9,12 +9,12 @@
 #include "base/error.h"
 
 /* A row of a part: a site or one of its runs.  index: of the site among all;
- * order: of reading.  text: the remark or the source of the data; number: the
- * other columns, NAN if empty. */
+ * order: of reading.  source: of the site's data; remark: of a calibration, or
+ * NULL; number: the other columns, NAN if empty. */
 enum { PART_NUMBERS = 23 };
 struct part_row {
 	size_t index, order;
-	const char *site, *text;
+	const char *site, *source, *remark;
 	double number[PART_NUMBERS];
 };
 
