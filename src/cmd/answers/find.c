@@ -13,6 +13,7 @@
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/goals.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/screened.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/answer/predict.h"
@@ -633,6 +634,21 @@ begin_find_answer(
 		: N_("no speed meets the condition; at the ends searched"));
 }
 
+/* Says which product the table has where that may be another than the goal's:
+ * that of cut=, or the whole product. */
+static void
+note_product_of_table(struct answer *r, const struct find_request *goal,
+    const struct prediction *p, bool found)
+{
+	FREED char *cut = quantities_fraction_text(&p->fraction);
+	if (fraction_is_screened(&p->fraction))
+		answer_note(r, "the table is of the fraction %s", cut);
+	else if (fraction_is_screened(&goal->target.quantity.fraction))
+		answer_note(r, "the table is of the whole product");
+	if (found)
+		screened_note_share(r, p);
+}
+
 /* Answers with the product at the speed found or, if there is none, with those
  * at both ends. */
 static void
@@ -646,12 +662,13 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
+		p[i] = forecast_product(s, q, speed[i]);
 	session_forget_answers(s);
 	FREED char *words = goal_text(goal);
 	struct answer *r = begin_find_answer(goal, found, words);
 	answers_add_row_per_prediction(r, entry, p, n);
 	note_search_result(r, s, goal, words);
+	note_product_of_table(r, goal, &p[0], found);
 	if (found && goal->detail)
 		answers_note_sizes(r, &p[0]);
 	double shown = show_basis_at_speed_found(s, r, goal);
@@ -765,7 +782,8 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
 	bool named = goal.n > 0 || args->n_operand > 0;
 	if (!named && (args->spec != NULL || s->spec != NULL))
 		return show_speeds_for_envelope(s, args, &goal, error);
-	bool ok = parse_goal(s, args, &goal, error);
+	bool ok = screened_check_feed_covers(q, error) &&
+		  parse_goal(s, args, &goal, error);
 	if (ok) {
 		find_and_show_goal_speed(s, &goal);
 		show_product_at_goal_speed(s, &goal);
