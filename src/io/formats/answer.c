@@ -504,6 +504,19 @@ answer_find_number(const struct answer *a, const char *path)
 	return value;
 }
 
+const char *
+answer_find_text(const struct answer *a, const char *path)
+{
+	const json_t *in = a->fields;
+	for (; *path != '\0'; path += *path == '.') {
+		size_t n = strcspn(path, ".");
+		FREED char *key = xstrndup(path, n);
+		in = json_object_get(in, key);
+		path += n;
+	}
+	return json_string_value(in);
+}
+
 static const struct table *
 table_for_programs(const struct answer *a)
 {

@@ -185,6 +185,10 @@ void answer_put_columns_as_lists(struct answer *answer, const char *keys);
  * sentences. */
 double answer_find_number(const struct answer *answer, const char *path);
 
+/* Returns the text in a field, such as "trust", borrowed, or NULL if there is
+ * none. */
+const char *answer_find_text(const struct answer *answer, const char *path);
+
 bool answer_has_fields(const struct answer *answer);
 
 #endif
