@@ -138,7 +138,8 @@ void conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
 
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
  * light is worse at an end of the range beyond the measured speeds, the answer
- * has that light, and both are stated. */
+ * has that light, and both are stated.  Puts "best_trust", the light at that
+ * speed. */
 void conditions_show_basis(struct answer *r, const struct question *q,
     const struct wanted *wanted, const struct speed_search *found,
     double speed);
