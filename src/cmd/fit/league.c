@@ -658,8 +658,9 @@ add_league_row(struct answer *r, bool first, const char *key,
 		else
 			answer_resume_table_for_people(r);
 		if (first) {
-			answer_columns(
-			    r, programs ? "site, provenance" : "site");
+			answer_column(r, "site", "site");
+			if (programs)
+				answer_column(r, "provenance", "provenance");
 			answer_columns(r,
 			    "best, holdout_rmse_pct: hold-out RMSE, "
 			    "interpolation_pct: interpolation, "

@@ -107,7 +107,9 @@ static void
 add_calibrated_site_rows(
     struct answer *r, const struct part_row *row, size_t n, bool programs)
 {
-	answer_columns(r, programs ? "site, provenance" : "site");
+	answer_column(r, "site", "site");
+	if (programs)
+		answer_column(r, "provenance", "provenance");
 	answer_columns(r, "f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
 			  "holdout_pct: hold-out RMSE, remark");
 	for (size_t i = 0; i < n; i++) {
