@@ -250,6 +250,8 @@ put_goal_fields(struct fields *o, const struct find_request *goal)
 	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
 	    target_value_at_speed(goal, goal->wanted.from),
 	    target_value_at_speed(goal, goal->wanted.to), speed);
+	fields_put_values(
+	    o, ".found %s .found_speed %g", isnan(speed) ? "no" : "yes", speed);
 	fields_put_values(o,
 	    "speed_low %g speed_high %g cut_low %g cut_high %g",
 	    finite_speed_or_nan(f->range[0]), finite_speed_or_nan(f->range[1]),
@@ -645,6 +647,8 @@ note_product_of_table(struct answer *r, const struct find_request *goal,
 		answer_note(r, "the table is of the fraction %s", cut);
 	else if (fraction_is_screened(&goal->target.quantity.fraction))
 		answer_note(r, "the table is of the whole product");
+	if (fraction_is_screened(&p->fraction))
+		fields_put_values(answer_fields(r), "fraction %s", cut);
 	if (found)
 		screened_note_share(r, p);
 }
@@ -673,6 +677,9 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 		answers_note_sizes(r, &p[0]);
 	double shown = show_basis_at_speed_found(s, r, goal);
 	put_search_fields(answer_fields(r), goal);
+	answer_repeat_fields_in_rows(r,
+	    "fraction wanted value at_mm found found_speed speed_low "
+	    "speed_high certainty_pct");
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)

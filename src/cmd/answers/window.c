@@ -330,6 +330,8 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		put_window_fields(answer_fields(r), &a,
 		    answers_is_speed_extrapolated(entry, a.w->best));
 		put_certain_speeds(answer_fields(r), &a);
+		answer_repeat_fields_in_rows(
+		    r, "best certainty_pct best_trust");
 		if (a.detail)
 			note_equivalent_plot(r, args);
 		conditions_note_source_of_limits(r, &a.list);

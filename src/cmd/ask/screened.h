@@ -15,9 +15,8 @@ bool screened_check_feed_covers(const struct question *q, struct error *error);
 struct psd screened_fraction_of_product(
     const struct psd *product, const struct fraction *fraction);
 
-/* Returns the same fraction of a prediction's feed, to stand beside its product:
- * its passings at the sieves of the table [p->product.n], 0..1.  The caller
- * frees them. */
+/* Returns the passings of the same fraction of a prediction's feed at the
+ * sieves of the table [p->product.n], 0..1.  The caller frees them. */
 double *screened_feed_passings(const struct prediction *p);
 
 /* Returns a quantity of a measured product, or NAN if its sieves do not cover

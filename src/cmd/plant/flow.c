@@ -442,6 +442,8 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	    "circuit %s",
 	    o->speed, answers_is_speed_extrapolated(entry, o->speed),
 	    p->circuit->tph, what);
+	answer_repeat_fields_in_rows(
+	    r, "speed feed_tph power_kw kwh_per_t earnings best_speed gain");
 	warn_of_impossible_readings(p, r);
 	add_stream_rows(p, o, r);
 	note_mass_balance(p, o, r);

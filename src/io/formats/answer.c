@@ -34,6 +34,7 @@ struct answer {
 	bool across;      /* a table with more rows than columns is turned */
 	struct table table[2], *filled;
 	json_t *fields; /* an object */
+	char *repeated; /* keys of fields */
 	size_t n_sentence;
 	struct answer_sentence *sentence;
 };
@@ -45,6 +46,7 @@ answer_new(const char *command)
 	a->command = xstrdup(command);
 	a->missing = xstrdup("-");
 	a->fields = json_object();
+	a->repeated = xstrdup("");
 	a->filled = a->table;
 	a->room = SCREEN;
 	return a;
@@ -87,6 +89,7 @@ answer_free(struct answer *a)
 	free_table(&a->table[0]);
 	free_table(&a->table[1]);
 	json_decref(a->fields);
+	free(a->repeated);
 	for (size_t i = 0; i < a->n_sentence; i++) {
 		free(a->sentence[i].text);
 		free(a->sentence[i].column);
@@ -465,6 +468,20 @@ answer_put_columns_as_lists(struct answer *a, const char *keys)
 	}
 }
 
+void
+answer_repeat_fields_in_rows(struct answer *a, const char *keys)
+{
+	xappend_to_list(&a->repeated, " ", "%s", keys);
+}
+
+void
+answer_drop_table_for_programs(struct answer *a)
+{
+	free_table(&a->table[1]);
+	a->table[1] = (struct table){0};
+	answer_resume_table_for_people(a);
+}
+
 bool
 answer_has_fields(const struct answer *a)
 {
@@ -596,6 +613,32 @@ print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
 		text_write_sheet_number(cell->number, separator, out);
 }
 
+/* Prints the fields that are repeated in each row, or their names. */
+static void
+print_csv_repeated_fields(
+    const struct answer *a, bool names, char separator, FILE *out)
+{
+	FREED char *keys = xstrdup(a->repeated);
+	char *save = NULL;
+	for (char *key = strtok_r(keys, " ", &save); key != NULL;
+	     key = strtok_r(NULL, " ", &save)) {
+		FREED char *hidden = xasprintf(".%s", key);
+		const json_t *item = json_object_get(a->fields, key);
+		item = item != NULL ? item : json_object_get(a->fields, hidden);
+		if (item == NULL)
+			continue;
+		fputc(separator, out);
+		if (names)
+			fputs(key, out);
+		else if (json_is_string(item))
+			text_write_sheet_cell(
+			    json_string_value(item), separator, out);
+		else if (json_is_number(item))
+			text_write_sheet_number(
+			    json_number_value(item), separator, out);
+	}
+}
+
 static size_t
 print_csv(const struct answer *a, bool semicolon, FILE *out)
 {
@@ -608,6 +651,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	print_csv_command_and_site(a, true, separator, out);
 	for (size_t c = 0; c < t->n_column; c++)
 		fprintf(out, "%c%s", separator, t->key[c]);
+	print_csv_repeated_fields(a, true, separator, out);
 	if (told)
 		fprintf(out, "%csentence", separator);
 	fputc('\n', out);
@@ -618,6 +662,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 			print_csv_cell(
 			    &t->cell[row * t->n_column + c], separator, out);
 		}
+		print_csv_repeated_fields(a, false, separator, out);
 		if (told) {
 			fputc(separator, out);
 			text_write_sheet_cell(

@@ -121,10 +121,10 @@ void answer_note_column(struct answer *answer, const char *name,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* The answer as people see it, borrowed: title, site and provenance or NULL
- * (names_sites: they are of several), a table row by row (the table for programs if there is no other), sentences.
- * In a cell, text is what people see; number is exact, NAN if missing, shown
- * with `decimals`, or as many as needed if that is -1; key is what programs see
- * instead of a text, or NULL. */
+ * (names_sites: of several sites), a table row by row (the table for programs
+ * if there is no other), sentences.  In a cell, text is what people see; number
+ * is exact, NAN if missing, shown with `decimals`, or as many as needed if that
+ * is -1; key is what programs see instead of a text, or NULL. */
 struct answer_cell {
 	bool is_text;
 	double number;
@@ -178,6 +178,15 @@ void fields_put_numbers(struct fields *fields, const char *key,
  * spaces, as lists. */
 void answer_put_rows_as_objects(struct answer *answer, const char *key);
 void answer_put_columns_as_lists(struct answer *answer, const char *keys);
+
+/* Lets csv repeat fields at the end of each row: what the rows are about and do
+ * not say, such as the speed.  keys: separated by spaces, those of hidden
+ * fields without the dot; fields that are not set are left out. */
+void answer_repeat_fields_in_rows(struct answer *answer, const char *keys);
+
+/* Drops the table for programs, if its columns were put as lists: csv prints
+ * that for people. */
+void answer_drop_table_for_programs(struct answer *answer);
 
 /* Returns the number in a field, such as "p50_mm" or "params.f_mat", or NAN if
  * there is none.  For a list, such as "holdout.rmse_pct", it is the largest
