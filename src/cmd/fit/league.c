@@ -559,19 +559,32 @@ has_one_speed(const struct site *site)
 	return true;
 }
 
-/* Notes the model in use, and how to change it. */
+/* Notes the model in use, and how to change it, to the best if it is ruled
+ * out. */
 static void
-note_model_in_use(
-    struct answer *r, const struct session *s, const struct site_models *g)
+note_model_in_use(struct answer *r, const struct session *s,
+    const struct site_models *g, const struct verdict *v)
 {
 	const struct entry *entry = &s->entry[g->entry];
-	const char *name = BREAKAGES[entry->has_params ? entry->params.breakage
-						       : s->set.model.breakage]
-			       ->name;
+	size_t used =
+	    entry->has_params ? entry->params.breakage : s->set.model.breakage;
+	const char *name = BREAKAGES[used]->name;
+	bool out = false;
+	for (size_t m = 0; m < v->n_model && v->ranked && !v->none; m++)
+		out = out ||
+		      (v->model[m].model == used && !v->model[m].energies &&
+			  v->model[m].standing >= LEAGUE_OUT_AICC);
 	fields_put_values(answer_fields(r), "in_use %s", name);
-	answer_say(r, ANSWER_REMARK,
-	    "answers use %s; 'set model NAME', then 'calibrate', for another",
-	    name);
+	if (out && v->winner == VALIDATE_MODEL && !v->model[v->best].energies)
+		answer_say(r, ANSWER_REMARK,
+		    "answers use %s, which is ruled out; 'set model %s', then "
+		    "'calibrate', for the best",
+		    name, model_name_of_row(v->best));
+	else
+		answer_say(r, ANSWER_REMARK,
+		    "answers use %s; 'set model NAME', then 'calibrate', for "
+		    "another",
+		    name);
 }
 
 /* Finds the shares of the models in the site's answers. */
@@ -619,7 +632,7 @@ build_league_answer_of_site(
 		    "all products are from one speed: this compares how the "
 		    "models fit one curve, not how they describe the effect of "
 		    "the speed");
-	note_model_in_use(r, s, g);
+	note_model_in_use(r, s, g, &v);
 	note_model_weights(r, &v);
 	note_how_to_read_table(r, &v, g->each, true);
 	put_league_fields(answer_fields(r), &v);
