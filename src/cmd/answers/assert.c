@@ -21,12 +21,31 @@ const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
     {"extrapolated", "predict", "extrapolated"},
     {"inside", "spec find", "inside"}};
 
+/* Returns the command of COMMAND.FIELD, or NULL if the word is none. */
+static const struct command *
+find_command_of_field(const char *word)
+{
+	const char *point = strchr(word, '.');
+	FREED char *name =
+	    point != NULL ? xstrndup(word, (size_t)(point - word)) : NULL;
+	return name != NULL ? command_find(name) : NULL;
+}
+
+/* Returns the text in COMMAND.FIELD, or NULL if it has none. */
+static const char *
+find_asserted_text(const struct session *s, const char *word)
+{
+	const struct command *command = find_command_of_field(word);
+	return command == NULL ? NULL
+			       : session_answer_text(
+				     s, command->name, strchr(word, '.') + 1);
+}
+
 /* Finds the value of a name in ANSWERS_NAMES or of a field written as
  * COMMAND.FIELD.  Returns false if the word is neither. */
 static bool
 find_asserted_value(const struct session *s, const char *word, double *value)
 {
-	const char *point = strchr(word, '.');
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++) {
 		const struct asserted *a = &ANSWERS_NAMES[i];
 		if (strcmp(word, a->name) != 0)
@@ -34,13 +53,10 @@ find_asserted_value(const struct session *s, const char *word, double *value)
 		*value = session_answer_number(s, a->from, a->path);
 		return true;
 	}
-	if (point == NULL)
-		return false;
-	char *name = xstrndup(word, (size_t)(point - word));
-	const struct command *command = command_find(name);
-	free(name);
+	const struct command *command = find_command_of_field(word);
 	if (command != NULL)
-		*value = session_answer_number(s, command->name, point + 1);
+		*value = session_answer_number(
+		    s, command->name, strchr(word, '.') + 1);
 	return command != NULL;
 }
 
@@ -90,6 +106,20 @@ compare_asserted_values(const char *op, double a, double b, double within)
 	return -1;
 }
 
+/* Checks "predict.trust = green". */
+static bool
+check_text(const char *field, const char *op, const char *wanted,
+    const char *text, struct error *error)
+{
+	if (strcmp(op, "=") != 0)
+		return error_set(error, ERROR_USAGE,
+		    "assert: expected = after %s, which is a text, got '%s'",
+		    field, op);
+	return strcmp(text, wanted) == 0 ||
+	       error_set(error, ERROR_CHECK,
+		   "assertion failed: %s = %s: got %s", field, wanted, text);
+}
+
 /* Checks for "assert FILE is DIGEST" that the file has not changed. */
 static bool
 check_file_digest(const struct session *s, const char *path, const char *wanted,
@@ -128,6 +158,9 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 		    "assert: expected 'within NUMBER' after the comparison");
 	if (strcmp(word[1], "is") == 0)
 		return check_file_digest(s, word[0], word[2], error);
+	const char *text = find_asserted_text(s, word[0]);
+	if (text != NULL)
+		return check_text(word[0], word[1], word[2], text, error);
 	if (!evaluate_assert_side(s, word[0], &a, error) ||
 	    !evaluate_assert_side(s, word[2], &b, error))
 		return false;

@@ -322,6 +322,25 @@ spare_of_figure(const struct card_request *all, size_t i)
 				: FIGURE;
 }
 
+/* Puts the range of the figure that has one.  Programs have that of P80 at any
+ * rate. */
+static void
+put_card_range(struct card_table *page, const struct quantity *q,
+    const char *head, struct figure f)
+{
+	int digits = quantities_decimals(q);
+	put_card_text(page, NULL, head, RANGE,
+	    xasprintf("%.*f..%.*f", digits, f.low, digits, f.high));
+	if (q->kind == QUANTITY_SIZE && q->x == PSD_PASSING[P80] &&
+	    !fraction_is_screened(&q->fraction))
+		return;
+	FREED char *key = quantities_field_name(q);
+	FREED char *low = xasprintf("%s_low", key);
+	FREED char *high = xasprintf("%s_high", key);
+	put_card_number(page, low, NULL, digits, NEEDED, f.low);
+	put_card_number(page, high, NULL, digits, NEEDED, f.high);
+}
+
 /* A size that the curve does not reach at this speed leaves its cell empty. */
 static void
 put_card_figures(struct card_table *page, const struct session *s,
@@ -342,11 +361,10 @@ put_card_figures(struct card_table *page, const struct session *s,
 		put_card_number(
 		    page, key, head, digits, spare_of_figure(all, i), f.value);
 		if (i == ranged && page->ranged)
-			put_card_text(page, NULL, range, RANGE,
-			    xasprintf(
-				"%.*f..%.*f", digits, f.low, digits, f.high));
+			put_card_range(page, q, range, f);
+		FREED char *sample = xasprintf("%s_measured", key);
 		if (i == ranged && page->measured)
-			put_card_number(page, NULL, tr("measured"), digits,
+			put_card_number(page, sample, tr("measured"), digits,
 			    SAMPLE,
 			    measured_figure_at_speed(
 				s, all, speed, &page->moved));
@@ -389,13 +407,11 @@ put_card_tonnages(
 	flow_free(&o.flow);
 }
 
-/* Programs read "met" if that is more likely than not. */
 static void
 put_limits_cells(struct card_table *page, const struct card_row *row)
 {
 	bool drawn = !isnan(row->share);
-	bool met = drawn ? row->share >= 0.5 : row->holds;
-	put_card_text(page, NULL, tr("limits"), NEEDED,
+	put_card_text(page, "limits", tr("limits"), NEEDED,
 	    xstrdup(conditions_verdict(row->share, row->holds)));
 	if (drawn) {
 		bool sure = row->share < 0.01 || row->share > 0.99;
@@ -405,10 +421,9 @@ put_limits_cells(struct card_table *page, const struct card_row *row)
 		    sure ? NAN : 100 * row->share);
 		answer_set_missing(page->answer, "-");
 	}
-	put_card_text(page, "limits", NULL, NEEDED,
-	    xstrdup(met ? tr("met") : tr("missed")));
 	put_card_text(page, "certain", NULL, NEEDED,
 	    drawn ? conditions_probability_text(row->share) : xstrdup("-"));
+	put_card_number(page, "certain_pct", NULL, 0, NEEDED, 100 * row->share);
 }
 
 /* Puts the speed in both units; for people the unit of the sheet comes
@@ -706,6 +721,9 @@ build_card_answer(
 	fields_put_values(answer_fields(r), "date %s machine %s model %s",
 	    today, entry->site->machine,
 	    breakage_model_of_params(&entry->params)->name);
+	answer_begin_table_for_programs(r);
+	answer_put_rows_as_objects(r, "rows");
+	answer_resume_table_for_people(r);
 	note_limits_of_card(r, all, row, n);
 	note_plant_and_power(r, all);
 	note_basis_of_card(r, s, all, &page, row, n);

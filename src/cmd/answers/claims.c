@@ -247,7 +247,7 @@ bool
 show_claims(struct session *s, const struct args *args, struct error *error)
 {
 	struct claim_evidence c = {0};
-	FREED char *about = xstrdup("");
+	struct sources all = {0};
 	(void)args;
 	collect_fitted_sites(&c, s);
 	bool any = c.n > 0 && c.runs.n > 0;
@@ -255,7 +255,8 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	answer_begin_table_for_programs(r);
 	answer_columns(r, "claim, borne_out, figures");
 	for (size_t i = 0; i < c.n; i++)
-		sources_add_site(&about, c.fit[i]->site);
+		sources_add_site(&all, c.fit[i]->key, c.fit[i]->site);
+	FREED char *about = sources_end(&all);
 	answer_title(r,
 	    "claims of Grunditz et al. (2021), at %zu calibrated sites", c.n);
 	answer_set_site_names(r, "", about);

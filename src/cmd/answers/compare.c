@@ -464,6 +464,9 @@ build_comparison_answer(const struct session *s, const struct compared side[2],
 		note_broken_and_extrapolated(r, side);
 	}
 	show_basis_of_both_sides(s, r, side);
+	fields_put_values(answer_fields(r), ".speed_a %g .speed_b %g",
+	    side[0].p.speed, side[1].p.speed);
+	answer_repeat_fields_in_rows(r, "speed_a speed_b");
 	fields_put_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	for (size_t i = 0; i < 2; i++)
 		put_side_fields(

@@ -13,6 +13,7 @@
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/goals.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/screened.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/answer/predict.h"
@@ -249,6 +250,8 @@ put_goal_fields(struct fields *o, const struct find_request *goal)
 	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
 	    target_value_at_speed(goal, goal->wanted.from),
 	    target_value_at_speed(goal, goal->wanted.to), speed);
+	fields_put_values(
+	    o, ".found %s .found_speed %g", isnan(speed) ? "no" : "yes", speed);
 	fields_put_values(o,
 	    "speed_low %g speed_high %g cut_low %g cut_high %g",
 	    finite_speed_or_nan(f->range[0]), finite_speed_or_nan(f->range[1]),
@@ -639,6 +642,23 @@ begin_find_answer(
 		: N_("no speed meets the condition; at the ends searched"));
 }
 
+/* Says which product the table has where that may be another than the goal's:
+ * that of cut=, or the whole product. */
+static void
+note_product_of_table(struct answer *r, const struct find_request *goal,
+    const struct prediction *p, bool found)
+{
+	FREED char *cut = quantities_fraction_text(&p->fraction);
+	if (fraction_is_screened(&p->fraction))
+		answer_note(r, "the table is of the fraction %s", cut);
+	else if (fraction_is_screened(&goal->target.quantity.fraction))
+		answer_note(r, "the table is of the whole product");
+	if (fraction_is_screened(&p->fraction))
+		fields_put_values(answer_fields(r), "fraction %s", cut);
+	if (found)
+		screened_note_share(r, p);
+}
+
 /* Shows the product at the speed found or, if there is none, at both ends of
  * the range. */
 static void
@@ -652,16 +672,20 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
-		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
+		p[i] = forecast_product(s, q, speed[i]);
 	session_forget_answers(s);
 	FREED char *words = goal_text(goal);
 	struct answer *r = begin_find_answer(goal, found, words);
 	answers_add_row_per_prediction(r, entry, p, n);
 	note_search_result(r, s, goal, words);
+	note_product_of_table(r, goal, &p[0], found);
 	if (found && goal->detail)
 		answers_note_sizes(r, &p[0]);
 	double shown = show_basis_at_speed_found(s, r, goal);
 	put_search_fields(answer_fields(r), goal);
+	answer_repeat_fields_in_rows(r,
+	    "fraction wanted value at_mm found found_speed speed_low "
+	    "speed_high certainty_pct");
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)
@@ -772,7 +796,8 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
 	bool named = goal.n > 0 || args->n_operand > 0;
 	if (!named && (args->spec != NULL || s->spec != NULL))
 		return show_speeds_for_envelope(s, args, &goal, error);
-	bool ok = parse_goal(s, args, &goal, error);
+	bool ok = screened_check_feed_covers(q, error) &&
+		  parse_goal(s, args, &goal, error);
 	if (ok) {
 		find_and_show_goal_speed(s, &goal);
 		show_product_at_goal_speed(s, &goal);

@@ -167,6 +167,7 @@ add_prediction_sieve_rows(struct answer *r, const struct session *s,
 {
 	size_t n;
 	FREED struct psd *part = measured_products_at_speed(s, q, &n);
+	FREED double *feed = screened_feed_passings(p);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
@@ -186,8 +187,7 @@ add_prediction_sieve_rows(struct answer *r, const struct session *s,
 	for (size_t i = 0; i < p->product.n; i++) {
 		double x = p->product.size[i];
 		answer_add_cells(r, "%g %.1f %.1f", units_mm(x),
-		    units_pct(p->feed.passing[i]),
-		    units_pct(p->product.passing[i]));
+		    units_pct(feed[i]), units_pct(p->product.passing[i]));
 		if (p->low != NULL)
 			answer_add_cells(r, "%.1f %.1f", units_pct(p->low[i]),
 			    units_pct(p->high[i]));

@@ -54,6 +54,7 @@ static void
 add_rows_with_speeds_across(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
+	FREED double *feed = screened_feed_passings(&p[0]);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_is_speed_extrapolated(entry, p[i].speed);
@@ -66,7 +67,7 @@ add_rows_with_speeds_across(struct answer *r, const struct entry *entry,
 		add_row_of_other_speed_unit(r, entry->site, p, n);
 	for (size_t row = 0; row < p[0].product.n; row++) {
 		answer_text(r, "%g", units_mm(p[0].product.size[row]));
-		answer_add_cells(r, "%.1f", units_pct(p[0].feed.passing[row]));
+		answer_add_cells(r, "%.1f", units_pct(feed[row]));
 		for (size_t i = 0; i < n; i++)
 			answer_add_cells(
 			    r, "%.1f", units_pct(p[i].product.passing[row]));
@@ -90,13 +91,13 @@ add_rows_with_speeds_across(struct answer *r, const struct entry *entry,
 }
 
 static void
-add_sweep_row(
-    struct answer *r, const struct prediction *p, size_t j, bool outside)
+add_sweep_row(struct answer *r, const struct prediction *p, const double *feed,
+    size_t j, bool outside)
 {
 	bool band = p->low != NULL;
 	answer_add_cells(r, "%g %s %g %.1f %.1f %.1f %.1f %.1f", p->speed,
 	    outside ? tr("yes") : tr("no"), units_mm(p->product.size[j]),
-	    units_pct(p->feed.passing[j]), units_pct(p->product.passing[j]),
+	    units_pct(feed[j]), units_pct(p->product.passing[j]),
 	    band ? units_pct(p->low[j]) : NAN,
 	    band ? units_pct(p->high[j]) : NAN, units_pct(p->model[j]));
 	if (fraction_is_screened(&p->fraction))
@@ -116,8 +117,9 @@ add_rows_by_speed_and_sieve(struct answer *r, const struct entry *entry,
 		answer_columns(r, "share_pct: share %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_is_speed_extrapolated(entry, p[i].speed);
+		FREED double *feed = screened_feed_passings(&p[i]);
 		for (size_t j = 0; j < p[i].product.n; j++)
-			add_sweep_row(r, &p[i], j, outside);
+			add_sweep_row(r, &p[i], feed, j, outside);
 	}
 }
 

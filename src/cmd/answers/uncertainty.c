@@ -340,8 +340,22 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 	    "speed_sd_pct %g speeds_move_pct %g", 100 * sd, 100 * most);
 }
 
-/* Builds the answer.  People see the figures or, with detail=on, the table of
- * bands that programs always get. */
+/* Puts the columns of the table of half widths, which was added last. */
+static void
+put_half_band_widths(struct answer *r, const struct session *s,
+    const struct question *q, const struct prediction *at)
+{
+	fields_put_values(answer_fields(r), "speed %g level %g correction %s",
+	    at->speed, 100 * q->level,
+	    correction_in_use(s, q->entry) == CORRECTION_ALL ? "all" : "train");
+	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
+		answer_put_columns_as_lists(r, PARTS[i]);
+	answer_put_columns_as_lists(r, "sieve_mm passing_pct");
+	answer_repeat_fields_in_rows(r, "speed level");
+}
+
+/* Shows people the figures; with detail=, the table that programs get.  Figures
+ * that are named are in csv, too. */
 static struct answer *
 build_uncertainty_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)
@@ -374,12 +388,9 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 		answer_begin_table_for_programs(r);
 	}
 	add_half_band_width_rows(r, s, q, at);
-	fields_put_values(answer_fields(r), "speed %g level %g correction %s",
-	    at->speed, 100 * q->level,
-	    correction_in_use(s, entry) == CORRECTION_ALL ? "all" : "train");
-	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
-		answer_put_columns_as_lists(r, PARTS[i]);
-	answer_put_columns_as_lists(r, "sieve_mm passing_pct");
+	put_half_band_widths(r, s, q, at);
+	if (!detail && args->of != NULL)
+		answer_drop_table_for_programs(r);
 	screened_note_share(r, at);
 	screened_put_fields(answer_fields(r), at);
 	if (detail)

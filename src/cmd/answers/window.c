@@ -145,13 +145,33 @@ is_window_without_run(const struct window_request *a)
 	       answers_is_speed_extrapolated(a->q->entry, w->best);
 }
 
+static bool
+is_any_run_searched(const struct window_request *a)
+{
+	const struct site *site = a->wanted.entry->site;
+	bool any = false;
+	for (size_t i = 0; i < site->n_run && !any; i++)
+		any = site->run[i].speed >= a->wanted.from &&
+		      site->run[i].speed <= a->wanted.to;
+	return any;
+}
+
 /* Notes all speeds at which the answer meets the conditions. */
 static void
 note_speeds_met(struct answer *r, const struct window_request *a, bool no_run)
 {
 	FREED char *speeds = conditions_met_speeds_with_units(&a->wanted, a->w);
 	bool several = a->list.n > 1;
-	if (no_run)
+	FREED char *rpm = rotor_speed_rpm_text(
+	    a->wanted.entry->site->rotor, a->wanted.from, a->wanted.to);
+	if (no_run && !is_any_run_searched(a))
+		answer_note(r,
+		    several ? N_("no speed from %g to %g m/s%s was measured: "
+				 "by the model all conditions hold at %s")
+			    : N_("no speed from %g to %g m/s%s was measured: "
+				 "by the model it holds at %s"),
+		    a->wanted.from, a->wanted.to, rpm, speeds);
+	else if (no_run)
 		answer_note(r,
 		    several ? N_("no measured speed will do: by the model all "
 				 "conditions hold at %s")
@@ -311,6 +331,8 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		put_window_fields(answer_fields(r), &a,
 		    answers_is_speed_extrapolated(entry, a.w->best));
 		put_certain_speeds(answer_fields(r), &a);
+		answer_repeat_fields_in_rows(
+		    r, "best certainty_pct best_trust");
 		if (a.detail)
 			note_equivalent_plot(r, args);
 		conditions_note_source_of_limits(r, &a.list);

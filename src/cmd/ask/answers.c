@@ -32,6 +32,9 @@ answers_put_feed_and_machine(struct answer *r, const struct site *site)
 		fields_put_values(answer_fields(r), "feed %s", site->feed_from);
 	if (site->with[0] != '\0')
 		fields_put_values(answer_fields(r), "with %s", site->with);
+	if (site->feed_from[0] != '\0')
+		answer_repeat_fields_in_rows(r, "feed");
+	answer_repeat_fields_in_rows(r, "with");
 }
 
 struct answer *

@@ -879,6 +879,8 @@ conditions_show_basis(struct answer *r, const struct question *q,
 	const double at[] = {speed, farthest_extrapolated_end(wanted, found)};
 	struct trust light = trust_at_speed(s, q->entry, speed, q->feed);
 	struct trust far = {0};
+	fields_put_values(
+	    answer_fields(r), "best_trust %s", LIGHT_NAME[light.light]);
 	if (!isnan(at[1]))
 		far = trust_at_speed(s, q->entry, at[1], q->feed);
 	if (far.light <= light.light) {
@@ -977,6 +979,18 @@ conditions_times_in_100_text(double share)
 			      : xasprintf(tr("%.0f times in 100"), 100 * share);
 }
 
+/* True if the conditions hold more surely at a speed that is not measured: of
+ * those as sure as the best, within 2 %, the best was preferred. */
+static bool
+is_other_speed_surer(const struct speed_search *w)
+{
+	const double alike = 0.02;
+	bool surer = false;
+	for (size_t k = 0; k < w->n && !surer; k++)
+		surer = w->certain[k] > w->best_certain + alike;
+	return surer;
+}
+
 /* Returns "run at 73.3 m/s: they are most likely to be met there, over 99 times
  * in 100", or "best 84.9 m/s, .." if the answer there is not to be relied on.
  * The caller frees it. */
@@ -993,8 +1007,11 @@ speed_to_run_at_text(const struct conditions_search *wanted, bool several,
 	FREED char *rpm =
 	    rotor_speed_rpm_text(wanted->entry->site->rotor, w->best, NAN);
 	char *words =
-	    xasprintf(beyond    ? tr("best %.1f m/s%s, beyond the "
-					"measured speeds: ")
+	    xasprintf(beyond ? tr("best %.1f m/s%s, beyond the "
+				  "measured speeds: ")
+		      : is_sure && is_other_speed_surer(w)
+			  ? tr("run at %.1f m/s%s, the best of the measured "
+			       "range: ")
 		      : is_sure ? tr("run at %.1f m/s%s: ")
 				: tr("best %.1f m/s%s of the measured "
 				     "range: "),

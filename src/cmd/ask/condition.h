@@ -139,9 +139,10 @@ void conditions_note_best_speed(struct answer *r,
     const struct conditions_search *wanted, bool several, bool detail,
     const struct speed_search *w);
 
-/* As answers_show_basis, for an answer at one speed of a range.  If an end of
- * the range beyond the measured speeds has a worse light, the answer gets that
- * one, and both are shown. */
+/* As answers_show_basis, for an answer at a speed in a range of speeds: if the
+ * light is worse at an end of the range beyond the measured speeds, the answer
+ * has that light, and both are stated.  Puts "best_trust", the light at that
+ * speed. */
 void conditions_show_basis(struct answer *r, const struct question *q,
     const struct conditions_search *wanted, const struct speed_search *found,
     double speed);

@@ -547,6 +547,8 @@ envelope_put_fields(struct answer *r, const struct grading *g)
 		FREED char *words = quantities_fraction_text(&g->fraction);
 		fields_put_values(answer_fields(r), "cut %s", words);
 	}
+	answer_repeat_fields_in_rows(
+	    r, "spec cut speed best certainty_pct best_trust");
 	answer_put_columns_as_lists(
 	    r, "sieve_mm min_pct max_pct passing_pct verdict");
 }

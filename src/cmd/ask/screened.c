@@ -70,6 +70,17 @@ screened_fraction_of_product(
 	return screen_measured_product(product, fraction, &share);
 }
 
+double *
+screened_feed_passings(const struct prediction *p)
+{
+	struct psd feed = screened_fraction_of_product(&p->feed, &p->fraction);
+	double *passing = xcalloc_doubles(p->product.n);
+	for (size_t i = 0; i < p->product.n; i++)
+		passing[i] = psd_passing(&feed, p->product.size[i]);
+	psd_free(&feed);
+	return passing;
+}
+
 double
 screened_quantity_of_product(
     const struct psd *product, const struct quantity *q)

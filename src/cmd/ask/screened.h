@@ -15,6 +15,10 @@ bool screened_check_feed_covers(const struct question *q, struct error *error);
 struct psd screened_fraction_of_product(
     const struct psd *product, const struct fraction *fraction);
 
+/* Returns the passings of the same fraction of a prediction's feed at the
+ * sieves of the table [p->product.n], 0..1.  The caller frees them. */
+double *screened_feed_passings(const struct prediction *p);
+
 /* Returns the value of a quantity for a measured product, or NAN if its sieves
  * do not cover it. */
 double screened_quantity_of_product(

@@ -122,7 +122,8 @@ list_every_nth_material(const struct session *s, struct material_list *list,
 static char *
 map_sources_text(const struct session *s, size_t apart)
 {
-	char number[32], *loaded = xstrdup("");
+	char number[32];
+	struct sources all = {0};
 	char *about =
 	    apart > 1 ? xasprintf(tr("Table 3 of Grunditz et al. (2021) and "
 				     "the user's own fits, one shown of each "
@@ -132,10 +133,11 @@ map_sources_text(const struct session *s, size_t apart)
 				   "user's own fits"));
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].has_params)
-			sources_add_site(&loaded, s->entry[i].site);
+			sources_add_site(
+			    &all, s->entry[i].key, s->entry[i].site);
+	FREED char *loaded = sources_end(&all);
 	if (loaded[0] != '\0')
 		xappend_to_list(&about, "; ", tr("loaded sites: %s"), loaded);
-	free(loaded);
 	return about;
 }
 

@@ -14,17 +14,6 @@
 #include "io/formats/shards.h"
 
 static struct answer *
-join_calibrated_sites(const struct parts *parts)
-{
-	struct answer *r = part_new_calibrate_answer();
-	for (size_t i = 0; i < parts->n_row; i++) {
-		const struct part_row *row = &parts->row[i];
-		part_add_site_row(r, row->site, row->number, row->text);
-	}
-	return r;
-}
-
-static struct answer *
 join_validated_sites(const struct parts *parts, struct error *error)
 {
 	struct trials c = {.each = parts->part[0].each > 0};
@@ -185,7 +174,7 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 		s, &parts, store, n_store, args->replace, error))
 		r = strcmp(parts.part[0].command, "validate") == 0
 			? join_validated_sites(&parts, error)
-			: join_calibrated_sites(&parts);
+			: part_calibrate_answer(parts.row, parts.n_row);
 	parts_free(&parts);
 	return r != NULL && session_show_answer(s, r);
 }

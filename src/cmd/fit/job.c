@@ -305,20 +305,7 @@ fit_remarks_text(const struct session *s, const struct entry *entry)
 	return text;
 }
 
-static void
-add_calibrated_site_row(
-    struct session *s, struct answer *r, const struct entry *entry)
-{
-	FREED char *words = fit_remarks_text(s, entry);
-	const struct params *p = &entry->fit.params;
-	const double number[] = {params_value_by_name(p, "f_mat"),
-	    params_value_by_name(p, "e0_min"), params_value_by_name(p, "alpha"),
-	    entry->fit.misfit, 100 * entry->fit.rmse,
-	    100 * fit_holdout_rmse(entry)};
-	part_add_site_row(r, entry->key, number, words);
-}
-
-/* The site and the runs of a single calibration are set from the start. */
+/* A job with one calibration has its site and its runs from the start. */
 static bool
 has_single_fit_to_run(struct session *s)
 {
@@ -353,8 +340,7 @@ struct all_fits {
 	bool train_all;
 	struct part part;
 	size_t n, *index; /* the sites of the part so far */
-	char *options;    /* options on which all parts must agree */
-	struct answer *summary;
+	char *options;    /* options that all parts must have */
 };
 
 static void *
@@ -365,8 +351,7 @@ all_fits_new(const struct session *s, bool train_all, struct part part,
 	*fits = (struct all_fits){.train_all = train_all,
 	    .part = part,
 	    .options =
-		part_dependencies_text(s, options, train_all ? "all" : "ends"),
-	    .summary = part_new_calibrate_answer()};
+		part_dependencies_text(s, options, train_all ? "all" : "ends")};
 	return fits;
 }
 
@@ -376,7 +361,6 @@ all_fits_free(void *of)
 	struct all_fits *fits = of;
 	if (fits == NULL)
 		return;
-	answer_free(fits->summary);
 	free(fits->index);
 	free(fits->options);
 	free(fits);
@@ -419,20 +403,45 @@ set_fit_and_add_row(struct session *s)
 	    entry->fit.misfit, 100 * entry->fit.rmse);
 	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
 	fits->index[fits->n++] = s->job.entry;
-	add_calibrated_site_row(s, fits->summary, entry);
+}
+
+static struct part_row
+row_of_calibrated_site(
+    const struct entry *entry, const char *source, const char *remark)
+{
+	const struct params *p = &entry->fit.params;
+	return (struct part_row){.site = entry->key,
+	    .source = source,
+	    .remark = remark,
+	    .number = {params_value_by_name(p, "f_mat"),
+		params_value_by_name(p, "e0_min"),
+		params_value_by_name(p, "alpha"), entry->fit.misfit,
+		100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)}};
 }
 
 static void
 show_table_of_all_fits(struct session *s, void *of)
 {
 	struct all_fits *fits = of;
-	if (fits->part.of > 0) {
-		part_put_collect_fields(fits->summary, s, &fits->part,
-		    fits->index, fits->n, fits->options);
-		answer_put_rows_as_objects(fits->summary, "rows");
+	size_t n = fits->n;
+	FREED struct part_row *row = xcalloc(n + 1, sizeof *row);
+	FREED char **text = xcalloc(2 * n + 1, sizeof *text);
+	for (size_t i = 0; i < n; i++) {
+		const struct entry *entry = &s->entry[fits->index[i]];
+		text[i] =
+		    site_source_clause(entry->site, "provenance not stated");
+		text[n + i] = fit_remarks_text(s, entry);
+		row[i] = row_of_calibrated_site(entry, text[i], text[n + i]);
 	}
-	session_show_answer(s, fits->summary);
-	fits->summary = NULL;
+	struct answer *r = part_calibrate_answer(row, n);
+	for (size_t i = 0; i < 2 * n; i++)
+		free(text[i]);
+	if (fits->part.of > 0) {
+		part_put_collect_fields(
+		    r, s, &fits->part, fits->index, fits->n, fits->options);
+		answer_put_rows_as_objects(r, "rows");
+	}
+	session_show_answer(s, r);
 	all_fits_free(fits);
 }
 

@@ -564,19 +564,32 @@ has_one_speed(const struct site *site)
 	return true;
 }
 
-/* Notes the model in use, and how to change it. */
+/* Notes the model in use, and how to change it, to the best if it is ruled
+ * out. */
 static void
-note_model_in_use(
-    struct answer *r, const struct session *s, const struct site_models *g)
+note_model_in_use(struct answer *r, const struct session *s,
+    const struct site_models *g, const struct verdict *v)
 {
 	const struct entry *entry = &s->entry[g->entry];
-	const char *name = BREAKAGES[entry->has_params ? entry->params.breakage
-						       : s->set.model.breakage]
-			       ->name;
+	size_t used =
+	    entry->has_params ? entry->params.breakage : s->set.model.breakage;
+	const char *name = BREAKAGES[used]->name;
+	bool out = false;
+	for (size_t m = 0; m < v->n_model && v->ranked && !v->none; m++)
+		out = out ||
+		      (v->model[m].model == used && !v->model[m].energies &&
+			  v->model[m].standing >= LEAGUE_OUT_AICC);
 	fields_put_values(answer_fields(r), "in_use %s", name);
-	answer_say(r, ANSWER_REMARK,
-	    "answers use %s; 'set model NAME', then 'calibrate', for another",
-	    name);
+	if (out && v->winner == VALIDATE_MODEL && !v->model[v->best].energies)
+		answer_say(r, ANSWER_REMARK,
+		    "answers use %s, which is ruled out; 'set model %s', then "
+		    "'calibrate', for the best",
+		    name, model_name_of_row(v->best));
+	else
+		answer_say(r, ANSWER_REMARK,
+		    "answers use %s; 'set model NAME', then 'calibrate', for "
+		    "another",
+		    name);
 }
 
 /* Sets the shares of the model in use and of the straight line in the site's
@@ -624,7 +637,7 @@ build_league_answer_of_site(
 		    "all products are from one speed: this compares how the "
 		    "models fit one curve, not how they describe the effect of "
 		    "the speed");
-	note_model_in_use(r, s, g);
+	note_model_in_use(r, s, g, &v);
 	note_model_weights(r, &v);
 	note_how_to_read_table(r, &v, g->each, true);
 	put_league_fields(answer_fields(r), &v);
@@ -634,53 +647,82 @@ build_league_answer_of_site(
 	return r;
 }
 
+/* Adds the cells of a site, or of all sites, after its name. */
+static void
+add_verdict_cells(struct answer *r, const struct verdict *v)
+{
+	FREED char *open = v->none ? xstrdup("")
+				   : model_names_of_standing(
+					 v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+	enum validate_way ahead = null_model_beating_best(v);
+	answer_add_cells(r, "%s %.2f %.2f %s",
+	    ahead != VALIDATE_MODEL ? SCORES_WAYS[ahead].key
+	    : v->none               ? tr("none")
+				    : model_name_of_row(v->best),
+	    100 * v->model[v->best].rmse, 100 * v->rmse[VALIDATE_INTERPOLATION],
+	    v->can_tell ? tr("yes") : tr("no"));
+	answer_text(r, "%s", open);
+}
+
+/* Adds a row to the table for people and to that for programs, in which each
+ * site has the source of its own data.  The first row brings the columns. */
+static void
+add_league_row(struct answer *r, bool first, const char *key,
+    const char *source, const struct verdict *v)
+{
+	for (int programs = 0; programs < 2; programs++) {
+		if (programs)
+			answer_begin_table_for_programs(r);
+		else
+			answer_resume_table_for_people(r);
+		if (first) {
+			answer_column(r, "site", "site");
+			if (programs)
+				answer_column(r, "provenance", "provenance");
+			answer_columns(r,
+			    "best, holdout_rmse_pct: hold-out RMSE, "
+			    "interpolation_pct: interpolation, "
+			    "can_tell: can tell, possible: also possible");
+		}
+		answer_add_cells(r, "%s", key);
+		if (programs)
+			answer_add_cells(r, "%s", source);
+		add_verdict_cells(r, v);
+	}
+}
+
 /* Adds a row for each site and one for all of them. */
 static struct answer *
 build_league_answer_of_all(const struct session *s, const struct league *l)
 {
 	struct answer *r = answer_new("league");
 	struct fields *sites = fields_add_list(answer_fields(r), "sites");
-	FREED char *about = xstrdup("");
+	struct sources all = {0};
 	answer_title(r,
 	    tr_n("breakage models compared, %zu site",
 		"breakage models compared, %zu sites", l->n),
 	    l->n);
-	answer_columns(r, "site, best, holdout_rmse_pct: hold-out RMSE, "
-			  "interpolation_pct: interpolation, "
-			  "can_tell: can tell, possible: also possible");
-	for (size_t i = 0; i <= l->n; i++) {
-		const struct site_models *g = i < l->n ? &l->sites[i] : NULL;
-		struct verdict v = g != NULL
-				       ? judge_models_on_sites(g, 1)
-				       : judge_models_on_sites(l->sites, l->n);
-		FREED char *open = v.none
-				       ? xstrdup("")
-				       : model_names_of_standing(&v,
-					     LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
-		const char *key = g != NULL ? s->entry[g->entry].key : "all";
-		answer_text(r, "%s", key);
-		enum validate_way ahead = null_model_beating_best(&v);
-		answer_add_cells(r, "%s %.2f %.2f %s",
-		    ahead != VALIDATE_MODEL ? SCORES_WAYS[ahead].key
-		    : v.none                ? tr("none")
-					    : model_name_of_row(v.best),
-		    100 * v.model[v.best].rmse,
-		    100 * v.rmse[VALIDATE_INTERPOLATION],
-		    v.can_tell ? tr("yes") : tr("no"));
-		answer_text(r, "%s", open);
-		if (g != NULL) {
-			struct fields *own = fields_add_object(sites, NULL);
-			fields_put_values(
-			    own, "site %s key %s", g->site->name, key);
-			put_league_fields(own, &v);
-			sources_add_site(&about, g->site);
-		} else {
-			put_league_fields(answer_fields(r), &v);
-			say_best_model(r, &v);
-			note_how_to_read_table(r, &v, false, false);
-		}
+	for (size_t i = 0; i < l->n; i++) {
+		const struct site_models *g = &l->sites[i];
+		const char *key = s->entry[g->entry].key;
+		FREED char *source =
+		    site_source_clause(g->site, "provenance not stated");
+		struct verdict v = judge_models_on_sites(g, 1);
+		struct fields *own = fields_add_object(sites, NULL);
+		fields_put_values(own, "site %s key %s", g->site->name, key);
+		put_league_fields(own, &v);
+		fields_put_values(own, "provenance %s", source);
+		sources_add(&all, key, source);
+		add_league_row(r, i == 0, key, source, &v);
 		verdict_free(&v);
 	}
+	FREED char *about = sources_end(&all);
+	struct verdict v = judge_models_on_sites(l->sites, l->n);
+	add_league_row(r, l->n == 0, "all", about, &v);
+	put_league_fields(answer_fields(r), &v);
+	say_best_model(r, &v);
+	note_how_to_read_table(r, &v, false, false);
+	verdict_free(&v);
 	answer_set_site_names(r, "all", about);
 	return r;
 }

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "config.h"
+#include "core/psd/site.h"
 
 /* Environment variables that tell a task its number and the number of tasks.
  * first: the number of the first task; NULL: it is always 0.  step: from one
@@ -101,23 +102,42 @@ part_has_site(const struct part *part, size_t index)
 	return part->of == 0 || index % part->of == part->number - 1;
 }
 
-struct answer *
-part_new_calibrate_answer(void)
+/* Adds the table for people, or that for programs, whose rows have the source
+ * of their own data. */
+static void
+add_calibrated_site_rows(
+    struct answer *r, const struct part_row *row, size_t n, bool programs)
 {
-	struct answer *r = answer_new("calibrate");
-	answer_title(r, "all sites, calibrated");
-	answer_columns(r, "site, f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
+	answer_column(r, "site", "site");
+	if (programs)
+		answer_column(r, "provenance", "provenance");
+	answer_columns(r, "f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
 			  "holdout_pct: hold-out RMSE, remark");
-	return r;
+	for (size_t i = 0; i < n; i++) {
+		const double *number = row[i].number;
+		answer_add_cells(r, "%s", row[i].site);
+		if (programs)
+			answer_add_cells(r, "%s", row[i].source);
+		answer_add_cells(r, "%.3f %.2f %.3f %g %.2f %.2f %s", number[0],
+		    number[1], number[2], number[3], number[4], number[5],
+		    row[i].remark);
+	}
 }
 
-void
-part_add_site_row(struct answer *answer, const char *site,
-    const double number[static 6], const char *remark)
+struct answer *
+part_calibrate_answer(const struct part_row *row, size_t n)
 {
-	answer_add_cells(answer, "%s %.3f %.2f %.3f %g %.2f %.2f %s", site,
-	    number[0], number[1], number[2], number[3], number[4], number[5],
-	    remark);
+	struct answer *r = answer_new("calibrate");
+	struct sources all = {0};
+	for (size_t i = 0; i < n; i++)
+		sources_add(&all, row[i].site, row[i].source);
+	FREED char *about = sources_end(&all);
+	answer_title(r, "all sites, calibrated");
+	answer_set_site_names(r, "all", about);
+	add_calibrated_site_rows(r, row, n, false);
+	answer_begin_table_for_programs(r);
+	add_calibrated_site_rows(r, row, n, true);
+	return r;
 }
 
 /* Appends a digest of the collision energies, because they are too many numbers

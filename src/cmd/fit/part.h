@@ -7,6 +7,7 @@
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"
 #include "io/formats/answer.h"
+#include "io/formats/shards.h"
 
 /* Part `number` (from 1) of `of` parts: every of-th site.  of 0: all sites.
  * from: where the part was stated, "part" or the name of an environment
@@ -25,12 +26,10 @@ bool part_from_args(
 /* True if the part contains site `index`, from 0. */
 bool part_has_site(const struct part *part, size_t index);
 
-/* part_new_calibrate_answer returns the answer of `calibrate all`, without
- * rows.  part_add_site_row adds a site.  number: f_mat, e0_min, alpha, the
- * misfit, and the RMSE of the training and of the held-out runs, points. */
-struct answer *part_new_calibrate_answer(void);
-void part_add_site_row(struct answer *answer, const char *site,
-    const double number[static 6], const char *remark);
+/* Returns the answer of `calibrate all`, with a row for each site [n]: its
+ * numbers are f_mat, e0_min, alpha, the misfit, its RMSE and that of the
+ * held-out runs, points. */
+struct answer *part_calibrate_answer(const struct part_row *row, size_t n);
 
 /* Returns as text all that the results of a calibration with these options
  * depend on; all parts must agree on it.  more: further dependencies.  The

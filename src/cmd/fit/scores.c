@@ -590,7 +590,7 @@ scores_add_run_of_part(struct trials *c, const struct part_row *row)
 {
 	struct trial trial = {.entry = row->index,
 	    .key = xstrdup(row->site),
-	    .source = xstrdup(row->text)};
+	    .source = xstrdup(row->source)};
 	double *at[PART_NUMBERS];
 	point_to_score_numbers(&trial.v, at);
 	for (size_t i = 0; i < PART_NUMBERS; i++)

@@ -45,16 +45,15 @@ trials_append(struct trials *c, struct trials *from)
 char *
 trials_data_sources_text(const struct trials *c, size_t *sites)
 {
-	char *list = xstrdup("");
+	struct sources all = {0};
 	*sites = 0;
 	for (size_t k = 0; k < c->n; k++) {
 		if (k > 0 && c->item[k].entry == c->item[k - 1].entry)
 			continue;
 		++*sites;
-		if (strstr(list, c->item[k].source) == NULL)
-			xappend_to_list(&list, "; ", "%s", c->item[k].source);
+		sources_add(&all, c->item[k].key, c->item[k].source);
 	}
-	return list;
+	return sources_end(&all);
 }
 
 const double *

@@ -61,7 +61,7 @@ void trials_add_trial(struct trials *c, struct trial trial);
 /* Moves the runs of `from` to the end of `c`. */
 void trials_append(struct trials *c, struct trials *from);
 
-/* Returns the sources of the runs' data, each once, and the number of their
+/* Returns the sources of the runs' data (sources_end), and the number of their
  * sites.  The caller frees the text. */
 char *trials_data_sources_text(const struct trials *c, size_t *sites);
 

@@ -476,6 +476,8 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	    "circuit %s",
 	    fixed != NULL ? NAN : o->speed, is_crusher_extrapolated(p, o),
 	    p->circuit->tph, what);
+	answer_repeat_fields_in_rows(
+	    r, "speed feed_tph power_kw kwh_per_t earnings best_speed gain");
 	add_stream_rows(p, o, r);
 	note_mass_balance(p, o, r);
 	note_rotor_of_each_crusher(p, o, r);

@@ -103,6 +103,17 @@ session_answer_number(
 	return value;
 }
 
+const char *
+session_answer_text(
+    const struct session *s, const char *command, const char *path)
+{
+	const char *text = NULL;
+	for (size_t i = s->n_answer; i-- > 0 && text == NULL;)
+		if (strcmp(answer_command(s->answer[i]), command) == 0)
+			text = answer_find_text(s->answer[i], path);
+	return text;
+}
+
 bool
 session_show_answer(struct session *s, struct answer *answer)
 {

@@ -200,6 +200,11 @@ void session_keep_newest_answer(struct session *s, struct answer *answer);
 double session_answer_number(
     const struct session *s, const char *commands, const char *path);
 
+/* Returns the text in a field of the newest answer of a command that has it,
+ * borrowed, or NULL. */
+const char *session_answer_text(
+    const struct session *s, const char *command, const char *path);
+
 /* Switches translation on, or off if results are for programs.  Call it after
  * each change of the results' format. */
 void session_set_translation(const struct session *s);

@@ -100,6 +100,7 @@ const struct command TABLE_SESSION[] = {
 		"are COMMAND.FIELD, with the names of json: "
 		"calibrate.generations, predict.params.alpha; of a list it is "
 		"the largest; predict.warnings is the number of warnings. "
+		"A text is compared as it is: predict.trust = green. "
 		"Another site, other parameters or a new calibration clear "
 		"them. For automatic plant checks, which should assert poor = "
 		"0 first. 'assert FILE is DIGEST', which save writes, stops "

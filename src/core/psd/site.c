@@ -457,12 +457,45 @@ site_source_clause(const struct site *site, const char *none)
 }
 
 void
-sources_add_site(char **list, const struct site *site)
+sources_add(struct sources *all, const char *name, const char *clause)
 {
-	FREED char *first = site_source_clause(site, "provenance not stated"),
-		   *clause = site_provenance_in_words(first);
-	if (strstr(*list, clause) == NULL)
-		xappend_to_list(list, "; ", "%s", clause);
+	size_t i = 0;
+	while (i < all->n && strcmp(all->clause[i], clause) != 0)
+		i++;
+	if (i == all->n) {
+		all->n++;
+		all->clause = xrealloc(all->clause, i + 1, sizeof(char *));
+		all->names = xrealloc(all->names, i + 1, sizeof(char *));
+		all->clause[i] = xstrdup(clause);
+		all->names[i] = xstrdup("");
+	}
+	xappend_to_list(&all->names[i], ", ", "%s", name);
+}
+
+void
+sources_add_site(struct sources *all, const char *name, const struct site *site)
+{
+	FREED char *clause = site_source_clause(site, "provenance not stated");
+	sources_add(all, name, clause);
+}
+
+char *
+sources_end(struct sources *all)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < all->n; i++) {
+		if (all->n == 1)
+			xappend(&list, "%s", all->clause[i]);
+		else
+			xappend_to_list(&list, ", ", "%s (%s)", all->clause[i],
+			    all->names[i]);
+		free(all->clause[i]);
+		free(all->names[i]);
+	}
+	free(all->clause);
+	free(all->names);
+	*all = (struct sources){0};
+	return list;
 }
 
 static const char *const MADE_UP[] = {

@@ -208,8 +208,21 @@ char *site_provenance_in_words(const char *provenance);
  * does not state it.  The caller frees it. */
 char *site_source_clause(const struct site *site, const char *none);
 
-/* Adds the first clause of the site's provenance to a list "a; b", unless it is
- * there already. */
-void sources_add_site(char **list, const struct site *site);
+/* The sources of the data of several sites, each once: [n] clauses, and the
+ * names of the sites that have each of them. */
+struct sources {
+	size_t n;
+	char **clause, **names;
+};
+
+/* sources_add adds the source of a site; sources_add_site that of its sheet. */
+void sources_add(struct sources *sources, const char *name, const char *clause);
+void sources_add_site(
+    struct sources *sources, const char *name, const struct site *site);
+
+/* Returns the sources, "belt cuts of 3 May (Norrberg), made up (Lane, Hill)";
+ * a single one without the names of its sites.  Frees the members.  The caller
+ * frees the text. */
+char *sources_end(struct sources *sources);
 
 #endif

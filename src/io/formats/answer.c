@@ -36,6 +36,7 @@ struct answer {
 	bool across;      /* transpose a table with more rows than columns */
 	struct table table[2], *filled;
 	json_t *fields; /* an object */
+	char *repeated; /* keys of fields */
 	size_t n_sentence;
 	struct answer_sentence *sentence;
 };
@@ -47,6 +48,7 @@ answer_new(const char *command)
 	a->command = xstrdup(command);
 	a->missing = xstrdup("-");
 	a->fields = json_object();
+	a->repeated = xstrdup("");
 	a->filled = a->table;
 	a->room = SCREEN;
 	return a;
@@ -89,6 +91,7 @@ answer_free(struct answer *a)
 	free_table(&a->table[0]);
 	free_table(&a->table[1]);
 	json_decref(a->fields);
+	free(a->repeated);
 	for (size_t i = 0; i < a->n_sentence; i++) {
 		free(a->sentence[i].text);
 		free(a->sentence[i].column);
@@ -468,6 +471,20 @@ answer_put_columns_as_lists(struct answer *a, const char *keys)
 	}
 }
 
+void
+answer_repeat_fields_in_rows(struct answer *a, const char *keys)
+{
+	xappend_to_list(&a->repeated, " ", "%s", keys);
+}
+
+void
+answer_drop_table_for_programs(struct answer *a)
+{
+	free_table(&a->table[1]);
+	a->table[1] = (struct table){0};
+	answer_resume_table_for_people(a);
+}
+
 bool
 answer_has_fields(const struct answer *a)
 {
@@ -507,6 +524,19 @@ answer_find_number(const struct answer *a, const char *path)
 	return value;
 }
 
+const char *
+answer_find_text(const struct answer *a, const char *path)
+{
+	const json_t *in = a->fields;
+	for (; *path != '\0'; path += *path == '.') {
+		size_t n = strcspn(path, ".");
+		FREED char *key = xstrndup(path, n);
+		in = json_object_get(in, key);
+		path += n;
+	}
+	return json_string_value(in);
+}
+
 static const struct table *
 table_for_programs(const struct answer *a)
 {
@@ -521,6 +551,7 @@ answer_view(const struct answer *a)
 	return (struct answer_view){.title = a->title,
 	    .site = a->site,
 	    .provenance = a->provenance,
+	    .names_sites = a->names_sites,
 	    .n_column = t->n_column,
 	    .n_row = count_table_rows(t),
 	    .n_sentence = a->n_sentence,
@@ -544,19 +575,35 @@ length_of_first_clause(const char *provenance)
 	return strcspn(provenance, ";");
 }
 
-/* Prints the cells before those of the answer. */
-static void
-print_csv_command_and_site(const struct answer *a, char separator, FILE *out)
+static bool
+table_has_column(const struct table *t, const char *key)
 {
-	fputs(a->command, out);
+	bool has = false;
+	for (size_t c = 0; c < t->n_column && !has; c++)
+		has = strcmp(t->key[c], key) == 0;
+	return has;
+}
+
+/* Prints the columns before those of the answer, or their names: the site and
+ * its provenance, each unless the rows have their own. */
+static void
+print_csv_command_and_site(
+    const struct answer *a, bool names, char separator, FILE *out)
+{
+	const struct table *t = table_for_programs(a);
+	fputs(names ? tr("command") : a->command, out);
 	if (a->site == NULL)
 		return;
-	fputc(separator, out);
-	text_write_sheet_cell(a->site, separator, out);
-	fputc(separator, out);
 	FREED char *kind =
 	    xstrndup(a->provenance, length_of_first_clause(a->provenance));
-	text_write_sheet_cell(kind, separator, out);
+	const char *cell[] = {a->site, kind};
+	const char *const key[] = {"site", "provenance"};
+	for (size_t i = 0; i < ARRAY_LEN(key); i++) {
+		if (table_has_column(t, key[i]))
+			continue;
+		fputc(separator, out);
+		text_write_sheet_cell(names ? key[i] : cell[i], separator, out);
+	}
 }
 
 static void
@@ -569,6 +616,32 @@ print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
 		text_write_sheet_number(cell->number, separator, out);
 }
 
+/* Prints the fields that are repeated in each row, or their names. */
+static void
+print_csv_repeated_fields(
+    const struct answer *a, bool names, char separator, FILE *out)
+{
+	FREED char *keys = xstrdup(a->repeated);
+	char *save = NULL;
+	for (char *key = strtok_r(keys, " ", &save); key != NULL;
+	     key = strtok_r(NULL, " ", &save)) {
+		FREED char *hidden = xasprintf(".%s", key);
+		const json_t *item = json_object_get(a->fields, key);
+		item = item != NULL ? item : json_object_get(a->fields, hidden);
+		if (item == NULL)
+			continue;
+		fputc(separator, out);
+		if (names)
+			fputs(key, out);
+		else if (json_is_string(item))
+			text_write_sheet_cell(
+			    json_string_value(item), separator, out);
+		else if (json_is_number(item))
+			text_write_sheet_number(
+			    json_number_value(item), separator, out);
+	}
+}
+
 static size_t
 print_csv(const struct answer *a, bool semicolon, FILE *out)
 {
@@ -578,21 +651,21 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	size_t rows = told ? a->n_sentence : count_table_rows(t);
 	if (t->n_column == 0 && !told)
 		return 0;
-	fputs("command", out);
-	if (a->site != NULL)
-		fprintf(out, "%csite%cprovenance", separator, separator);
+	print_csv_command_and_site(a, true, separator, out);
 	for (size_t c = 0; c < t->n_column; c++)
 		fprintf(out, "%c%s", separator, t->key[c]);
+	print_csv_repeated_fields(a, true, separator, out);
 	if (told)
 		fprintf(out, "%csentence", separator);
 	fputc('\n', out);
 	for (size_t row = 0; row < rows; row++) {
-		print_csv_command_and_site(a, separator, out);
+		print_csv_command_and_site(a, false, separator, out);
 		for (size_t c = 0; c < t->n_column; c++) {
 			fputc(separator, out);
 			print_csv_cell(
 			    &t->cell[row * t->n_column + c], separator, out);
 		}
+		print_csv_repeated_fields(a, false, separator, out);
 		if (told) {
 			fputc(separator, out);
 			text_write_sheet_cell(

@@ -10,13 +10,14 @@
 /* What a command returns: site and provenance, named fields, a table, and
  * sentences.  A command does not know the form in which its answer will be
  * shown.  table and markdown round numbers and show title, provenance and
- * sentences; csv and json are exact.  csv prints the table, each number with
- * the fewest digits that read back unchanged; json prints the fields, %.17g, or
- * the rows of the table if there are no fields.  csv puts command, site and
- * provenance into columns, so each row states its source.  Without a table the
- * sentences are the answer: people see them with full stops, csv prints a row
- * for each, json a list.  A table wider than the screen continues in further
- * blocks, each of which repeats the first column. */
+ * sentences; csv and json are exact.  csv prints the table, with the shortest
+ * numbers that read back unchanged; json prints the fields, %.17g, or the rows
+ * of the table if there are no fields.  csv puts command, site and provenance
+ * into columns, so each row states its source, unless the rows have columns of
+ * these names.  Without a table the sentences
+ * are the answer: people see them with full stops, csv prints a row for each,
+ * json a list.  A table wider than the screen continues in further blocks, each
+ * with the first column repeated. */
 struct answer;
 
 /* The forms of an answer, in the order of the enum.  exact: the form is for
@@ -123,11 +124,11 @@ void answer_note(struct answer *answer, const char *format, ...)
 void answer_note_column(struct answer *answer, const char *name,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* The answer as people see it, borrowed: title, site and provenance, any of
- * which may be NULL; a table row by row (the table for programs if there is no
- * other); sentences.  In a cell, text is what people see; number is exact, NAN
- * if missing, and shown with `decimals`, or with as many as needed if that is
- * -1; key is what programs see instead of a text, or NULL. */
+/* The answer as people see it, borrowed: title, site and provenance or NULL
+ * (names_sites: of several sites), a table row by row (the table for programs
+ * if there is no other), sentences.  In a cell, text is what people see; number
+ * is exact, NAN if missing, shown with `decimals`, or as many as needed if that
+ * is -1; key is what programs see instead of a text, or NULL. */
 struct answer_cell {
 	bool is_text;
 	double number;
@@ -141,6 +142,7 @@ struct answer_sentence {
 };
 struct answer_view {
 	const char *title, *site, *provenance;
+	bool names_sites;
 	size_t n_column, n_row, n_sentence;
 	char *const *head;
 	const struct answer_cell *cell;
@@ -182,11 +184,24 @@ void fields_put_numbers(struct fields *fields, const char *key,
 void answer_put_rows_as_objects(struct answer *answer, const char *key);
 void answer_put_columns_as_lists(struct answer *answer, const char *keys);
 
-/* Returns the number in a field, such as "p50_mm" or "params.f_mat"; NAN if
- * there is none.  In a list, such as "holdout.rmse_pct", it is the largest
- * number; true counts as 1.  "warnings" is the number of warnings, if there are
- * any sentences. */
+/* Lets csv repeat fields at the end of each row: what the rows are about and do
+ * not say, such as the speed.  keys: separated by spaces, those of hidden
+ * fields without the dot; fields that are not set are left out. */
+void answer_repeat_fields_in_rows(struct answer *answer, const char *keys);
+
+/* Drops the table for programs, if its columns were put as lists: csv prints
+ * that for people. */
+void answer_drop_table_for_programs(struct answer *answer);
+
+/* Returns the number in a field, such as "p50_mm" or "params.f_mat", or NAN if
+ * there is none.  For a list, such as "holdout.rmse_pct", it is the largest
+ * number; true is 1.  "warnings" is the number of warnings, if there are any
+ * sentences. */
 double answer_find_number(const struct answer *answer, const char *path);
+
+/* Returns the text in a field, such as "trust", borrowed, or NULL if there is
+ * none. */
+const char *answer_find_text(const struct answer *answer, const char *path);
 
 bool answer_has_fields(const struct answer *answer);
 

@@ -365,7 +365,10 @@ book_add_answer(struct book *b, const struct answer *answer)
 		book_put_table(b, &p, &v);
 	book_put_sentences(b, &p, &v, true);
 	book_put_sentences(b, &p, &v, false);
-	b->has_site = b->has_site || v.site != NULL;
+	if (v.names_sites)
+		book_add_about_line(b, "provenance", v.provenance);
+	else
+		b->has_site = b->has_site || v.site != NULL;
 	return v.n_column > 0 ? v.n_row : v.n_sentence;
 }
 

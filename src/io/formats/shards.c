@@ -11,17 +11,16 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-/* What each command writes: the key of the second text in its rows, and the
- * keys of their n numbers; without keys, the numbers are in the list
- * "numbers". */
+/* What commands write: the keys of their rows' source and remark, if they have
+ * one, and of the n numbers; without keys these are the list "numbers". */
 static const struct kind {
-	const char *command, *text;
+	const char *command, *source, *remark;
 	size_t n;
 	const char *key[PART_NUMBERS];
 } KINDS[] = {
-    {"calibrate", "remark", 6,
+    {"calibrate", "provenance", "remark", 6,
 	{"f_mat", "e0_min", "alpha", "misfit", "rmse_pct", "holdout_pct"}},
-    {"validate", "source", PART_NUMBERS, {NULL}}};
+    {"validate", "source", NULL, PART_NUMBERS, {NULL}}};
 
 static bool
 refuse_parts_file(const char *path, struct error *error)
@@ -38,8 +37,12 @@ read_row_of_part(json_t *o, const json_t *index, const struct kind *kind,
 {
 	const json_t *list = json_object_get(o, "numbers");
 	if (!json_is_integer(index) ||
-	    json_unpack(o, "{s:s, s:s}", "site", &row->site, kind->text,
-		&row->text) != 0)
+	    json_unpack(o, "{s:s, s:s}", "site", &row->site, kind->source,
+		&row->source) != 0)
+		return false;
+	row->remark = NULL;
+	if (kind->remark != NULL &&
+	    json_unpack(o, "{s:s}", kind->remark, &row->remark) != 0)
 		return false;
 	row->index = (size_t)json_integer_value(index);
 	for (size_t i = 0; i < kind->n; i++) {

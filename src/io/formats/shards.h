@@ -8,13 +8,13 @@
 
 #include "base/error.h"
 
-/* A row of a part: a site or one of its runs.  index: the index of the site
- * among all sites; order: the order in which rows were read.  text: the remark,
- * or the source of the data; number: the other columns, NAN if empty. */
+/* A row of a part: a site or one of its runs.  index: of the site among all;
+ * order: of reading.  source: of the site's data; remark: of a calibration, or
+ * NULL; number: the other columns, NAN if empty. */
 enum { PART_NUMBERS = 23 };
 struct part_row {
 	size_t index, order;
-	const char *site, *text;
+	const char *site, *source, *remark;
 	double number[PART_NUMBERS];
 };
 
