@@ -70,7 +70,7 @@ compare_residuals_with_errors(struct evidence *e, const struct misfit *m,
 {
 	double error = hypot(HYPER[HYPER_SHARED].median,
 	    noise > 0 ? noise : HYPER[HYPER_OWN].median);
-	double squares = 0, products = 0, cells = 0, pairs = 0;
+	double squares = 0, points = 0, products = 0, cells = 0, pairs = 0;
 	for (size_t r = 0, k = 0; r < m->n_run; r++) {
 		double last = NAN;
 		for (size_t i = 0; i < m->run[r].n; i++, k++) {
@@ -79,6 +79,7 @@ compare_residuals_with_errors(struct evidence *e, const struct misfit *m,
 			bool counts = h > 0.02;
 			double z = d[k] / hypot(h * error, ROUNDING);
 			squares += counts ? z * z : 0;
+			points += counts ? d[k] * d[k] : 0;
 			cells += counts;
 			products += counts && !isnan(last) ? z * last : 0;
 			pairs += counts && !isnan(last);
@@ -87,6 +88,7 @@ compare_residuals_with_errors(struct evidence *e, const struct misfit *m,
 	}
 	double spare = fmax(cells - parameters, 1);
 	e->size = squares / spare;
+	e->unexplained = sqrt(points / spare);
 	e->alike = pairs > 0 && squares > 0
 		       ? products / squares * cells / sqrt(pairs)
 		       : 0;

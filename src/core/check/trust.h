@@ -63,10 +63,10 @@ struct evidence {
 	/* The products are not measurably finer than the feed. */
 	bool like_feed;
 	/* Residuals at all runs used, less the part that a step of the
-	 * parameters explains.  size: mean square over that of usual sampling
-	 * errors; alike: correlation of neighbours on a curve, in its standard
-	 * deviations. */
-	double size, alike;
+	 * parameters explains.  unexplained: their RMS, passing 0..1; size:
+	 * mean square over that of usual sampling errors; alike: correlation of
+	 * neighbours on a curve, in its standard deviations. */
+	double unexplained, size, alike;
 	/* NAN without a posterior.  discrepancy, sampling: medians of the
 	 * draws, passing 0..1; more: share of the draws in which the
 	 * discrepancy exceeds the sampling error. */
