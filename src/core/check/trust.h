@@ -55,6 +55,11 @@ bool trust_is_order_wrong(const struct passing_order *o);
  * more than two samples from one belt may differ. */
 bool trust_is_no_product_finer(const struct site *site);
 
+/* Returns the product cell (worst_sieve) furthest from the fit, if further than
+ * a careful sample would be; otherwise worst_difference is 0. */
+struct validation trust_find_outlier_cell(
+    const struct site *site, const bool *train, const struct fit *fit);
+
 /* The evidence on the fit itself, independent of the question; gathered once
  * for each fit. */
 struct evidence {
@@ -84,6 +89,7 @@ struct evidence {
 	size_t speeds;    /* number that inform the fit */
 	double slowest, fastest;   /* of these speeds */
 	struct validation holdout; /* the worst; n_sieve 0: none held out */
+	struct validation outlier; /* trust_find_outlier_cell */
 	/* The speeds, m/s, of the two runs that, adjusted to one feed,
 	 * contradict most that faster is finer; order.most 0: none do. */
 	struct {
