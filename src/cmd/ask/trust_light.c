@@ -26,8 +26,13 @@ static double
 mean_band_width(const struct prediction *p)
 {
 	double sum = 0;
-	for (size_t i = 0; p->low != NULL && i < p->product.n; i++)
-		sum += (p->high[i] - p->low[i]) / (double)p->product.n;
+	size_t n = p->product.n, from = 0;
+	/* Of the sieves that all of the feed passes only the finest counts. */
+	while (from + 1 < n &&
+	       psd_passing(&p->feed, p->product.size[from + 1]) >= 1)
+		from++;
+	for (size_t i = from; p->low != NULL && i < n; i++)
+		sum += (p->high[i] - p->low[i]) / (double)(n - from);
 	return sum;
 }
 

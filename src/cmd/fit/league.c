@@ -247,8 +247,9 @@ add_held_out_cells(struct verdict *v, const struct site_models *g)
 {
 	const struct trials *runs = &g->model[0].runs;
 	double sd = sampling_error_at_site(g), h = 0;
-	size_t from = v->n;
+	size_t from = v->n, compared = 0;
 	for (size_t r = 0; r < runs->n; r++, v->n_run++) {
+		compared += runs->item[r].v.n_sieve - runs->item[r].v.n_idle;
 		const struct psd *product = &runs->item[r].run->product;
 		size_t n = runs->item[r].v.n_sieve;
 		v->cell = xrealloc(v->cell, v->n + n, sizeof *v->cell);
@@ -259,7 +260,7 @@ add_held_out_cells(struct verdict *v, const struct site_models *g)
 	}
 	for (size_t i = from; i < v->n; i++)
 		h += pow(discrepancy_scale_at_passing(v->cell[i].measured), 2) /
-		     (double)(v->n - from);
+		     (double)compared;
 	for (size_t i = from; i < v->n && h > 0; i++)
 		v->cell[i].noise =
 		    sd * discrepancy_scale_at_passing(v->cell[i].measured) /

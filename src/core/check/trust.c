@@ -729,6 +729,10 @@ trust_compare_slow_with_fast(const struct psd *slow, const struct psd *fast)
 		if (!psd_covers_size(slow, x))
 			continue;
 		double by = psd_passing(slow, x) - fast->passing[j];
+		/* Of the sieves that all passes only the finest counts. */
+		if (sum == 0 && fast->passing[j] >= 1 &&
+		    psd_passing(slow, x) >= 1)
+			n = 0;
 		sum += by;
 		n++;
 		if (by > o.most) {

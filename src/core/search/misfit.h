@@ -11,7 +11,8 @@
 #include "core/model/product.h"
 #include "core/psd/site.h"
 
-/* One training run, with those sieves of the product that the feed covers.
+/* One training run, with those sieves of the product that the feed covers and
+ * that are not idle.
  * weight multiplies a difference before it is squared. */
 struct misfit_run {
 	size_t run; /* index into the site's runs */
@@ -80,6 +81,11 @@ double misfit_rmse(struct misfit *m, const struct params *p);
 /* Returns the number of sieves of the run's product that its feed covers; only
  * the finest can be uncovered, so these are the first. */
 size_t misfit_count_covered_sieves(const struct run *run);
+
+/* Returns how many of these are coarser than `top`, the
+ * site_finest_sieve_all_pass: idle sieves, which tell nothing.  At least one
+ * is left. */
+size_t misfit_count_idle_sieves(const struct run *run, double top);
 
 /* Marks the default training set: all repeats at the slowest and the fastest
  * speed with a product.  Returns the number of runs marked. */
