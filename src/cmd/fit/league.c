@@ -560,15 +560,24 @@ has_one_speed(const struct site *site)
 	return true;
 }
 
+/* Returns the row of the model that answers use. */
+static size_t
+row_in_use(const struct session *s, const struct site_models *g)
+{
+	const struct entry *entry = &s->entry[g->entry];
+	size_t breakage =
+	    entry->has_params ? entry->params.breakage : s->set.model.breakage;
+	bool energies = breakage == 0 && s->set.model.impacts.n > 0 &&
+			g->n_model > breakage_count_models();
+	return energies ? breakage_count_models() : breakage;
+}
+
 /* Notes the model in use, and how to change it. */
 static void
 note_model_in_use(
     struct answer *r, const struct session *s, const struct site_models *g)
 {
-	const struct entry *entry = &s->entry[g->entry];
-	const char *name = BREAKAGES[entry->has_params ? entry->params.breakage
-						       : s->set.model.breakage]
-			       ->name;
+	const char *name = model_name_of_row(row_in_use(s, g));
 	fields_put_values(answer_fields(r), "in_use %s", name);
 	answer_say(r, ANSWER_REMARK,
 	    "answers use %s; 'set model NAME', then 'calibrate', for another",
@@ -578,15 +587,16 @@ note_model_in_use(
 /* Finds the shares of the models in the site's answers. */
 static void
 find_model_weights(
-    struct verdict *v, const struct session *s, const struct entry *entry)
+    struct verdict *v, const struct session *s, const struct site_models *g)
 {
+	const struct entry *entry = &s->entry[g->entry];
 	const struct posterior *p =
 	    correction_in_use(s, entry) == CORRECTION_OFF
 		? NULL
 		: posterior_for_unseen_cuts(s, entry, false);
 	if (p == NULL)
 		return;
-	v->in_use = entry->params.breakage;
+	v->in_use = row_in_use(s, g);
 	v->straight = p->straight;
 }
 
@@ -608,7 +618,7 @@ build_league_answer_of_site(
     const struct session *s, const struct site_models *g)
 {
 	struct verdict v = judge_models_on_sites(g, 1);
-	find_model_weights(&v, s, &s->entry[g->entry]);
+	find_model_weights(&v, s, g);
 	struct answer *r =
 	    answer_about_site(g->site, "league", "breakage models compared");
 	add_model_rows(r, &v, false);
