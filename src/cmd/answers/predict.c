@@ -81,7 +81,9 @@ note_sieves_missing_in_feed(
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < p->feed.n; i++)
-		if (isnan(psd_passing_at_sieve(feed, p->feed.size[i])))
+		/* All of the feed is known to pass what is coarser. */
+		if (p->feed.size[i] < feed->size[0] &&
+		    isnan(psd_passing_at_sieve(feed, p->feed.size[i])))
 			xappend_to_list(
 			    &list, ", ", "%g", units_mm(p->feed.size[i]));
 	if (list[0] != '\0')
