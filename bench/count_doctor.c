@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "core/search/calibrate.h"
 #include "core/check/outliers.h"
+#include "core/check/trust.h"
 #include "core/numeric/rng.h"
 #include "counts.h"
 #include "measure.h"
@@ -38,9 +39,10 @@ struct wrong {
 };
 
 /* The result for a sheet, before and after calibration: whether the wrong cell
- * was named, and whether another one was. */
+ * was named, and whether another one was.  doubted: whether a cell is so far
+ * from a fit to the outer speeds that the light is amber. */
 struct outcome {
-	bool made, found[TWICE], other[TWICE];
+	bool made, found[TWICE], other[TWICE], doubted;
 	size_t refused;
 };
 
@@ -99,6 +101,20 @@ look(const struct site *site, const struct posterior *posterior,
 	outliers_free(&d);
 }
 
+static bool
+is_cell_doubted_by_light(const struct site *site, uint64_t number)
+{
+	bool *train = xcalloc(site->n_run, sizeof *train);
+	misfit_mark_default_training(site, train);
+	struct calibrate_options o = calibrate_options_default();
+	o.train = train;
+	o.seed = number;
+	struct fit fit = counts_fit(site, &o);
+	struct validation v = trust_find_outlier_cell(site, train, &fit);
+	free(train);
+	return v.worst_difference != 0;
+}
+
 static void
 one_sheet(void *data, size_t piece, unsigned thread)
 {
@@ -122,6 +138,7 @@ one_sheet(void *data, size_t piece, unsigned thread)
 		look(site, NULL, &w, &o->found[0], &o->other[0]);
 		look(site, posterior, &w, &o->found[1], &o->other[1]);
 		posterior_free(posterior);
+		o->doubted = is_cell_doubted_by_light(site, number);
 	}
 	site_free(site);
 }
@@ -131,10 +148,13 @@ one_sheet(void *data, size_t piece, unsigned thread)
 static bool
 print_kind(const struct outcome *o, size_t n, size_t kind)
 {
-	struct counts_mean found[TWICE] = {{0}}, other[TWICE] = {{0}};
+	struct counts_mean found[TWICE] = {{0}}, other[TWICE] = {{0}},
+			   doubted = {0};
 	size_t refused = 0;
 	for (size_t i = 0; i < n; i++, o += KINDS) {
 		refused += o[kind].refused;
+		if (o[kind].made)
+			counts_add(&doubted, o[kind].doubted);
 		for (size_t k = 0; k < TWICE && o[kind].made; k++) {
 			counts_add(&found[k], o[kind].found[k]);
 			counts_add(&other[k], o[kind].other[k]);
@@ -150,19 +170,23 @@ print_kind(const struct outcome *o, size_t n, size_t kind)
 		counts_print(&found[k], 100);
 		counts_print(&other[k], 100);
 	}
+	counts_print(&doubted, 100);
 	printf("\n");
 	if (kind == 0)
 		return counts_between(&other[1], 0, 0.1);
 	return KIND[kind].feed || counts_between(&found[1], 0.75, 1);
 }
 
+/* light: of those doubted by the light; else of those that check named. */
 static void
-print_accused(const struct outcome *o, size_t n)
+print_accused(const struct outcome *o, size_t n, bool light)
 {
 	size_t accused[LAWS] = {0};
 	for (size_t i = 0; i < n; i++)
-		accused[i % LAWS] += o[i * KINDS].other[1];
-	printf("sheets without a wrong cell in which one was named:");
+		accused[i % LAWS] +=
+		    light ? o[i * KINDS].doubted : o[i * KINDS].other[1];
+	printf("sheets without a wrong cell in which one %s:",
+	    light ? "makes the light amber" : "was named");
 	for (size_t law = 0; law < LAWS; law++)
 		if (accused[law] > 0)
 			printf(" %zu of %s", accused[law], LAW_NAME[law]);
@@ -177,12 +201,13 @@ count_doctor(size_t n)
 	bool ok = true;
 	pool_run(pool, n * KINDS, one_sheet, &task);
 	pool_free(pool);
-	printf("%-22s%5s %5s%28s%28s\n%-34s%14s%14s%14s%14s\n", "wrong by",
+	printf("%-22s%5s %5s%28s%28s\n%-34s%14s%14s%14s%14s%14s\n", "wrong by",
 	    "made", "(ref.)", "before a calibration", "after", "", "named %",
-	    "another %", "named %", "another %");
+	    "another %", "named %", "another %", "amber %");
 	for (size_t kind = 0; kind < KINDS; kind++)
 		ok = print_kind(task.outcome, n, kind) && ok;
-	print_accused(task.outcome, n);
+	print_accused(task.outcome, n, false);
+	print_accused(task.outcome, n, true);
 	free(task.outcome);
 	return ok;
 }

@@ -441,7 +441,7 @@ rows_are_whole(void **state)
 			assert_true(p->upper <= p->most);
 		}
 		struct params p = params_start_values(m);
-		char *S = selection_text(&p, 1);
+		char *S = selection_text(&p, &(struct model_settings){.k = 1});
 		char *B = of->appearance_text(&p);
 		assert_true(strlen(S) > 10 && strlen(B) > 10);
 		free(S);

@@ -54,6 +54,23 @@ add_claim_verdict(
 	free(figures);
 }
 
+/* Returns how many rows of Table 3 have a property at a bound of Table 2. */
+static size_t
+count_rows_at_bound(const struct material_list *paper)
+{
+	const struct bounds b = bounds_default(0);
+	size_t n = 0;
+	for (size_t i = 0; i < paper->n; i++) {
+		bool any = false;
+		for (size_t j = 4; j < 7; j++) {
+			double x = paper->item[i].params.at[j];
+			any = any || x <= b.lower[j] || x >= b.upper[j];
+		}
+		n += any;
+	}
+	return n;
+}
+
 static void
 check_claim_params_within_bounds(
     struct answer *r, const struct claim_evidence *c)
@@ -74,9 +91,10 @@ check_claim_params_within_bounds(
 	    bound == 0,
 	    xasprintf(tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f "
 			 "to %.2f; at %zu of %zu sites one ends at a bound of "
-			 "Table 2, so that the bound sets it, not the rock"),
-		low[0], high[0], low[1], high[1], low[2], high[2], bound,
-		c->n));
+			 "Table 2, in %zu of %zu rows of Table 3: such fits do "
+			 "not determine the properties, whatever these are"),
+		low[0], high[0], low[1], high[1], low[2], high[2], bound, c->n,
+		count_rows_at_bound(&c->paper), c->paper.n));
 }
 
 static void

@@ -2,6 +2,7 @@
  * result of the printed form at the current site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -273,10 +274,15 @@ work_out_equations_for_site(struct answer *r, const struct session *s)
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	struct equation_example w = {.settings = s->set.model};
-	if (entry == NULL || !entry->has_params ||
-	    entry->params.breakage != 0) {
+	if (entry == NULL || !entry->has_params) {
 		answer_note(r, "load and calibrate a site to see what the "
 			       "printed forms give there");
+		return;
+	}
+	if (entry->params.breakage != 0 || s->set.model.impacts.n > 0) {
+		answer_note(r, "what the printed forms give is worked out for "
+			       "the paper's model with one impact: 'set model "
+			       "grunditz', 'set energy off', then 'calibrate'");
 		return;
 	}
 	w.site = entry->site;
@@ -287,6 +293,26 @@ work_out_equations_for_site(struct answer *r, const struct session *s)
 	say_effect_of_millimetres(r, &w);
 	say_effect_of_literal_appearance(r, &w);
 	say_effect_of_printed_eq5_minus(r, &w);
+}
+
+/* Returns equation i as the site's answers use it.  The caller frees it. */
+static char *
+equation_as_used(const struct session *s, size_t i)
+{
+	const struct entry *entry =
+	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
+	bool other =
+	    entry != NULL && entry->has_params && entry->params.breakage != 0;
+	if (other && strcmp(EQUATIONS[i].equation, "Eq 1") == 0)
+		return breakage_model_of_params(&entry->params)
+		    ->appearance_text(&entry->params);
+	if (s->set.model.impacts.n > 0 &&
+	    strcmp(EQUATIONS[i].equation, "Eq 3") == 0)
+		return xstrdup(
+		    "S(x) = 1 - (sum of share_j exp(-f_mat k (x^alpha ratio_j "
+		    "E - e0_min)))^n over groups j of n impacts, each bracket "
+		    "0 where negative, x in m (D1, D2, D15)");
+	return xstrdup(EQUATIONS[i].used);
 }
 
 bool
@@ -303,14 +329,16 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++) {
 		answer_add_cells(r, "%s %s %s", EQUATIONS[i].equation,
 		    tr("printed"), EQUATIONS[i].printed);
-		answer_add_cells(
-		    r, "%s %s %s", "", tr("used"), EQUATIONS[i].used);
+		FREED char *used = equation_as_used(s, i);
+		answer_add_cells(r, "%s %s %s", "", tr("used"), used);
 	}
 	answer_begin_table_for_programs(r);
 	answer_columns(r, "equation, printed, used");
-	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++)
+	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++) {
+		FREED char *used = equation_as_used(s, i);
 		answer_add_cells(r, "%s %s %s", EQUATIONS[i].equation,
-		    EQUATIONS[i].printed, EQUATIONS[i].used);
+		    EQUATIONS[i].printed, used);
+	}
 	answer_put_rows_as_objects(r, "equations");
 	fields_put_values(answer_fields(r), "what %s", "equations");
 	work_out_equations_for_site(r, s);

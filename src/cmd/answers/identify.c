@@ -9,6 +9,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "core/posterior/identify.h"
+#include "core/model/selection.h"
 #include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
@@ -170,7 +171,8 @@ static void
 append_break_sizes(char **text, const struct findings *f, bool sharp)
 {
 	FREED char *speeds = xstrdup(""), *sizes = xstrdup(""),
-		   *turns = xstrdup(""), *rpm = xstrdup("");
+		   *fits = xstrdup(""), *turns = xstrdup(""),
+		   *rpm = xstrdup("");
 	size_t n = 0, left = 0;
 	for (size_t i = 0; i < f->n_speed; i++)
 		left += is_break_size_sharp(f, i) == sharp;
@@ -183,15 +185,19 @@ append_break_sizes(char **text, const struct findings *f, bool sharp)
 		    rotor_speed_to_rpm(f->speed[i], f->rotor));
 		xappend_to_list(&sizes, ", ", "%.2f +- %.2f",
 		    1000 * f->at[i].mean, 1000 * f->at[i].sd);
+		xappend_to_list(&fits, ", ", "%.2f",
+		    1000 * params_break_size_by_impacts(
+			       &f->p->fit, &f->p->settings, f->speed[i]));
 	}
 	if (f->rotor > 0)
 		xreplace(&rpm, xasprintf(tr(" (%s rpm)"), turns));
 	if (left > 0)
 		xappend_to_list(text, "; ",
-		    sharp ? tr("the data fix the break size at %s m/s%s: %s mm")
+		    sharp ? tr("the data fix the break size at %s m/s%s: %s mm "
+			       "in the draws, %s by the fit")
 			  : tr("the data leave the break size at %s m/s%s "
-			       "open: %s mm"),
-		    speeds, rpm, sizes);
+			       "open: %s mm in the draws, %s by the fit"),
+		    speeds, rpm, sizes, fits);
 }
 
 static void
@@ -295,9 +301,11 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 		    "below the finest sieve (%g mm) in %.0f %%",
 		    f.speed[0], rpm, 1000 * f.at[0].high, units_mm(f.finest),
 		    100 * f.at[0].below);
-	answer_note(r,
-	    "at 52 to 77 of 100 synthetic plants that follow Eqs 1 to 3, the "
-	    "middle 80 %% of the draws of the break size held the true one");
+	if (entry->params.breakage == 0 && s->set.model.impacts.n == 0)
+		answer_note(r, "at 52 to 77 of 100 synthetic plants that "
+			       "follow Eqs 1 to 3, the "
+			       "middle 80 %% of the draws of the break size "
+			       "held the true one");
 	answer_note(r, "%s", text);
 	free(f.speed);
 	free(f.at);

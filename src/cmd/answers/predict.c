@@ -24,6 +24,8 @@
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
+#include "config.h"
+
 /* Says in a sentence which sizes break at this speed. */
 static void
 note_breaking_sizes(
@@ -53,6 +55,14 @@ note_breaking_sizes(
 		    "%.1f %% of the feed breaks",
 		    params_value_by_name(q->params, "alpha"),
 		    100 * p->selected);
+	else if (isfinite(p->range[PSD_SIZES][0]) && p->break_size >= 1e-4)
+		answer_note(r,
+		    "break size %.2f mm by the fit, %.2f to %.2f mm in %.0f %% "
+		    "of the draws (nothing finer breaks); %.1f %% of the feed "
+		    "breaks",
+		    1000 * p->break_size, 1000 * p->range[PSD_SIZES][0],
+		    1000 * p->range[PSD_SIZES][1], 100 * q->level,
+		    100 * p->selected);
 	else
 		answer_note(r,
 		    p->break_size < 1e-4 ? N_("break size %.3g mm (nothing "
@@ -71,7 +81,9 @@ note_sieves_missing_in_feed(
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < p->feed.n; i++)
-		if (isnan(psd_passing_at_sieve(feed, p->feed.size[i])))
+		/* All of the feed is known to pass what is coarser. */
+		if (p->feed.size[i] < feed->size[0] &&
+		    isnan(psd_passing_at_sieve(feed, p->feed.size[i])))
 			xappend_to_list(
 			    &list, ", ", "%g", units_mm(p->feed.size[i]));
 	if (list[0] != '\0')
@@ -490,6 +502,20 @@ largest_shown_move_to_feed(const struct session *s, const struct question *q,
 	return most > SHOWN_PASSING ? most : 0;
 }
 
+/* Puts what is set for the draws, with which the answer can be had again. */
+static void
+put_settings_of_draws(
+    struct fields *o, const struct session *s, const struct entry *entry)
+{
+	static const char *const CORRECTION[] = {[CORRECTION_ALL] = "all",
+	    [CORRECTION_TRAIN] = "train",
+	    [CORRECTION_OFF] = "off"};
+	fields_put_values(o,
+	    "correction %s speed_sd_pct %g draw_seed %zu version %s",
+	    CORRECTION[correction_in_use(s, entry)], s->set.speed_sd,
+	    (size_t)s->set.draw_seed, PACKAGE_VERSION);
+}
+
 /* Builds the answer with all notes.  wanted: the user asked for the
  * interpolated products. */
 static struct answer *
@@ -502,6 +528,7 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	struct answer *r = build_prediction_answer(s, q, p, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, entry, q->params, p);
+	put_settings_of_draws(o, s, entry);
 	note_certainty_of_passing(r, s, q, p);
 	screened_note_share(r, p);
 	answers_note_sizes(r, p);

@@ -10,6 +10,7 @@
 #include "cmd/session/sites.h"
 #include "cmd/ask/fit.h"
 #include "cmd/fit/params.h"
+#include "cmd/session/energies.h"
 #include "cmd/lang/table.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/feed.h"
@@ -127,13 +128,23 @@ show_feed_or_product(
 
 /* Notes Eqs 4, 3 and 1 with the site's parameters filled in. */
 static void
-note_equations_with_numbers(struct answer *r, const struct params *p, double k)
+note_equations_with_numbers(
+    struct answer *r, const struct session *s, const struct params *p)
 {
 	answer_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
-	FREED char *S = selection_text(p, k);
+	FREED char *S = selection_text(p, &s->set.model);
 	FREED char *B = breakage_model_of_params(p)->appearance_text(p);
+	FREED char *energies = energies_trust_reason(s);
+	double bypass = params_value_by_name(p, "bypass");
 	answer_note(r, "Eq 3: %s", S);
+	if (energies != NULL)
+		answer_note(r, "%s", energies);
 	answer_note(r, "Eq 1: %s", B);
+	if (bypass > 0)
+		answer_note(r,
+		    "product = %.4g crushed + %.4g feed: a share of the feed "
+		    "bypasses the rotor (D14)",
+		    1 - bypass, bypass);
 }
 
 static bool
@@ -149,6 +160,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	fields_put_values(o, "what %s method %s appearance %s k %g", "model",
 	    answers_method_name(set->method), APPEARANCE_NAMES[set->appearance],
 	    set->k);
+	energies_put_field(o, s);
 	if (entry->has_params)
 		fit_put_params(o, &entry->params);
 	else
@@ -176,7 +188,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	    answers_method_name(set->method), APPEARANCE_NAMES[set->appearance],
 	    set->k);
 	if (entry->has_params)
-		note_equations_with_numbers(r, &entry->params, set->k);
+		note_equations_with_numbers(r, s, &entry->params);
 	else
 		answer_note(
 		    r, "no parameters yet: run 'calibrate' or 'params set'");

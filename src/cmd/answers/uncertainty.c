@@ -219,6 +219,9 @@ build_draws_answer(const struct session *s, const struct question *q,
 			    r, "%.4f", 100 * forecast_draws(f, i)[d]);
 	}
 	forecast_close(f);
+	answer_say(r, ANSWER_REMARK,
+	    "sigma_d, sigma_n, sigma_s and sigma_i are passings from 0 to 1: "
+	    "0.001 is 0.1 points");
 	return r;
 }
 

@@ -252,10 +252,13 @@ say_trust_is_green(const struct explained *a, const struct trust *t)
 		    "the remarks below are reasons for amber");
 	else if (e != NULL)
 		answer_note(a->answer,
-		    "The residuals look like sampling errors: RMSE %.2f "
-		    "points, %.1f times the usual size, errors of neighbouring "
-		    "sieves are not alike; %zu passings for %zu parameters",
-		    100 * e->rmse, sqrt(e->size), e->cells, e->parameters);
+		    "The residuals look like sampling errors: over all runs "
+		    "they are %.2f points (RMS, less what other parameters "
+		    "would explain), %.1f times the usual size, and those of "
+		    "neighbouring sieves are not alike; %zu passings for %zu "
+		    "parameters",
+		    100 * e->unexplained, sqrt(e->size), e->cells,
+		    e->parameters);
 }
 
 /* States the light, unless it is green, with its reasons and the remarks, and

@@ -8,6 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/session/energies.h"
 #include "core/numeric/elementary.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/trust_light.h"
@@ -513,6 +514,7 @@ answers_put_prediction(const struct session *s, struct fields *o,
 	screened_put_fields(o, p);
 	fields_put_values(
 	    o, "model %s", breakage_model_of_params(params)->name);
+	energies_put_field(o, s);
 	fit_put_params(o, params);
 	fields_put_values(
 	    o, ".feed_mps %g", feed_sampling_speed(entry->site, p->feed_run));

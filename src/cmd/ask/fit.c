@@ -53,29 +53,6 @@ fit_holdout_rmse(const struct entry *entry)
 	    entry, &entry->fit.params, entry->fit.settings, true);
 }
 
-struct validation
-fit_find_outlier_cell(const struct entry *entry)
-{
-	/* With noise of 0.5 points, no product of 38 sites had a difference of
-	 * more than 1.9 points; of 77 products in which two digits were changed
-	 * by 9 points, 67 had one of more than 4.  In a poor fit many cells are
-	 * off. */
-	double rmse = entry->fit.rmse;
-	double far_off = rmse > FIT_POOR ? fmax(0.04, 3 * rmse) : 0.04;
-	struct validation farthest = {.worst_difference = 0};
-	for (size_t r = 0; entry->has_fit && r < entry->site->n_run; r++) {
-		const struct run *run = &entry->site->run[r];
-		if (misfit_count_covered_sieves(run) == 0)
-			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings, NULL);
-		if (fabs(v.worst_difference) >
-		    fmax(far_off, fabs(farthest.worst_difference)))
-			farthest = v;
-	}
-	return farthest;
-}
-
 void
 fit_put_params(struct fields *o, const struct params *p)
 {

@@ -27,10 +27,6 @@ double fit_largest_rmse_of_runs(const struct entry *entry,
     const struct params *params, struct model_settings settings, bool holdout);
 double fit_holdout_rmse(const struct entry *entry);
 
-/* Returns the product cell (worst_sieve) furthest from the entry's fit, if
- * further than a careful sample would be; otherwise worst_difference is 0. */
-struct validation fit_find_outlier_cell(const struct entry *entry);
-
 /* Returns false with an error if an appearance other than ratio is set with a
  * breakage model or a method that it does not work with. */
 bool fit_check_settings_agree(const struct model_settings *settings,

@@ -407,11 +407,13 @@ band_note_meaning(struct answer *r, const struct session *s,
 	if (!product) {
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: the middle %.0f %% of the draws; the value is "
-		    "the fit to the training runs, and may lie outside. At 72 "
-		    "to 87 of 100 synthetic plants that follow Eqs 1 to 3, "
-		    "such ranges held the truth; those of the break size at 52 "
-		    "to 77",
+		    "the fit to the training runs, and may lie outside",
 		    100 * settings_band_probability(&s->set));
+		if (entry->params.breakage == 0 && s->set.model.impacts.n == 0)
+			answer_say(r, ANSWER_REMARK,
+			    "at 72 to 87 of 100 synthetic plants that follow "
+			    "Eqs 1 to 3, such ranges held the truth; those of "
+			    "the break size at 52 to 77");
 		if (!entry->has_fit)
 			answer_say(r, ANSWER_REMARK,
 			    "the difference between the two sites is not "

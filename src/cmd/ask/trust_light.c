@@ -26,8 +26,13 @@ static double
 mean_band_width(const struct prediction *p)
 {
 	double sum = 0;
-	for (size_t i = 0; p->low != NULL && i < p->product.n; i++)
-		sum += (p->high[i] - p->low[i]) / (double)p->product.n;
+	size_t n = p->product.n, from = 0;
+	/* Of the sieves that all of the feed passes only the finest counts. */
+	while (from + 1 < n &&
+	       psd_passing(&p->feed, p->product.size[from + 1]) >= 1)
+		from++;
+	for (size_t i = from; p->low != NULL && i < n; i++)
+		sum += (p->high[i] - p->low[i]) / (double)(n - from);
 	return sum;
 }
 
@@ -91,6 +96,10 @@ add_reasons_of_origin(
 			origin_source_text(entry), 100 * error));
 }
 
+/* A misfit above the lowest one by more than this share leaves other parameters
+ * to be found: within it lie those of a flat direction. */
+static const double FAR_ABOVE_LOWEST = 0.1;
+
 /* Adds reasons about how the calibration was made. */
 static void
 add_reasons_of_calibration(
@@ -101,7 +110,13 @@ add_reasons_of_calibration(
 		    xstrdup(
 			tr("the calibration was stopped: 'continue' may find "
 			   "better parameters")));
-	else if (!fit->converged && !fit->plain)
+	else if (fit->lowest > 0 &&
+		 fit->misfit > (1 + FAR_ABOVE_LOWEST) * fit->lowest)
+		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
+		    xasprintf(tr("the search ended %.0f %% above the lowest "
+				 "misfit: 'calibrate' finds better parameters"),
+			100 * (fit->misfit / fit->lowest - 1)));
+	else if (!fit->converged && !(fit->lowest > 0))
 		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(
 			tr("the calibration has not converged: the misfit can "

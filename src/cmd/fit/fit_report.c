@@ -189,7 +189,8 @@ add_warnings_of_fit(struct answer *r, const struct entry *entry)
 	if (fit->rmse <= FIT_POOR && !fit_has_too_few_data(fit) &&
 	    fit_nothing_breaks(entry))
 		explain_why_nothing_breaks(r, entry);
-	struct validation far = fit_find_outlier_cell(entry);
+	struct validation far =
+	    trust_find_outlier_cell(entry->site, entry->train, &entry->fit);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, far.speed, NAN);
 	if (far.worst_difference != 0)

@@ -250,8 +250,9 @@ add_held_out_cells(struct verdict *v, const struct site_models *g)
 {
 	const struct trials *runs = &g->model[0].runs;
 	double sd = sampling_error_at_site(g), h = 0;
-	size_t from = v->n;
+	size_t from = v->n, compared = 0;
 	for (size_t r = 0; r < runs->n; r++, v->n_run++) {
+		compared += runs->item[r].v.n_sieve - runs->item[r].v.n_idle;
 		const struct psd *product = &runs->item[r].run->product;
 		size_t n = runs->item[r].v.n_sieve;
 		v->cell = xrealloc(v->cell, v->n + n, sizeof *v->cell);
@@ -262,7 +263,7 @@ add_held_out_cells(struct verdict *v, const struct site_models *g)
 	}
 	for (size_t i = from; i < v->n; i++)
 		h += pow(discrepancy_scale_at_passing(v->cell[i].measured), 2) /
-		     (double)(v->n - from);
+		     (double)compared;
 	for (size_t i = from; i < v->n && h > 0; i++)
 		v->cell[i].noise =
 		    sd * discrepancy_scale_at_passing(v->cell[i].measured) /
@@ -564,21 +565,33 @@ has_one_speed(const struct site *site)
 	return true;
 }
 
+/* Returns the row of the model that answers use. */
+static size_t
+row_in_use(const struct session *s, const struct site_models *g)
+{
+	const struct entry *entry = &s->entry[g->entry];
+	size_t breakage =
+	    entry->has_params ? entry->params.breakage : s->set.model.breakage;
+	bool energies = breakage == 0 && s->set.model.impacts.n > 0 &&
+			g->n_model > breakage_count_models();
+	return energies ? breakage_count_models() : breakage;
+}
+
 /* Notes the model in use, and how to change it, to the best if it is ruled
  * out. */
 static void
 note_model_in_use(struct answer *r, const struct session *s,
     const struct site_models *g, const struct verdict *v)
 {
-	const struct entry *entry = &s->entry[g->entry];
-	size_t used =
-	    entry->has_params ? entry->params.breakage : s->set.model.breakage;
-	const char *name = BREAKAGES[used]->name;
+	size_t used = row_in_use(s, g);
+	const char *name = model_name_of_row(used);
 	bool out = false;
-	for (size_t m = 0; m < v->n_model && v->ranked && !v->none; m++)
-		out = out ||
-		      (v->model[m].model == used && !v->model[m].energies &&
-			  v->model[m].standing >= LEAGUE_OUT_AICC);
+	for (size_t m = 0; m < v->n_model && v->ranked && !v->none; m++) {
+		size_t row = v->model[m].energies ? breakage_count_models()
+						  : v->model[m].model;
+		out = out || (row == used &&
+				 v->model[m].standing >= LEAGUE_OUT_AICC);
+	}
 	fields_put_values(answer_fields(r), "in_use %s", name);
 	if (out && v->winner == VALIDATE_MODEL && !v->model[v->best].energies)
 		answer_say(r, ANSWER_REMARK,
@@ -596,15 +609,16 @@ note_model_in_use(struct answer *r, const struct session *s,
  * answers, if there are draws. */
 static void
 find_model_weights(
-    struct verdict *v, const struct session *s, const struct entry *entry)
+    struct verdict *v, const struct session *s, const struct site_models *g)
 {
+	const struct entry *entry = &s->entry[g->entry];
 	const struct posterior *p =
 	    correction_in_use(s, entry) == CORRECTION_OFF
 		? NULL
 		: posterior_for_unseen_cuts(s, entry, false);
 	if (p == NULL)
 		return;
-	v->in_use = entry->params.breakage;
+	v->in_use = row_in_use(s, g);
 	v->straight = p->straight;
 }
 
@@ -625,7 +639,7 @@ build_league_answer_of_site(
     const struct session *s, const struct site_models *g)
 {
 	struct verdict v = judge_models_on_sites(g, 1);
-	find_model_weights(&v, s, &s->entry[g->entry]);
+	find_model_weights(&v, s, g);
 	struct answer *r =
 	    answer_about_site(g->site, "league", "breakage models compared");
 	add_model_rows(r, &v, false);

@@ -229,7 +229,7 @@ static const double CLEARLY = 0.001;
 static double
 rmse_without_worst_sieve(const struct validation *v)
 {
-	double n = (double)v->n_sieve;
+	double n = (double)(v->n_sieve - v->n_idle);
 	double square = v->misfit - v->worst_difference * v->worst_difference;
 	return sqrt(fmax(square, 0) / (n - 1));
 }
@@ -242,7 +242,7 @@ is_worst_sieve_outlier(const struct validation *v)
 {
 	const double times = 4, least = 0.03;
 	double worst = fabs(v->worst_difference);
-	return v->n_sieve > 3 && worst > least &&
+	return v->n_sieve - v->n_idle > 3 && worst > least &&
 	       worst > times * rmse_without_worst_sieve(v);
 }
 

@@ -58,12 +58,13 @@ const struct command TABLE_MODEL[] = {
 	.operands = {"[list | set | diff SITE | use SITE]",
 	    {"list set diff use", "SITE"}, 0, 2},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_PARAMS,
-	.text = "'params set' sets known parameters of the current model "
-		"instead of a calibration; those not named keep their value, "
-		"and beta is (0, 1, -1, 0.5) at first. Only the direction of "
-		"beta matters: it is scaled to max 1. 'params diff SITE' "
-		"compares them with those of another loaded site; 'params use "
-		"SITE' uses those of that site, and results then state it.",
+	.text =
+	    "'params set' sets known parameters of the current model "
+	    "instead of a calibration; those not named keep their value, "
+	    "and beta is (0, 1, -1, 0.5) at first. Only the direction of "
+	    "beta matters: 'calibrate' scales it to max 1. 'params diff SITE' "
+	    "compares them with those of another loaded site; 'params use "
+	    "SITE' uses those of that site, and results then state it.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "predict 74",

@@ -118,15 +118,31 @@ energies_use_file_in_model(
 	return true;
 }
 
+/* Returns the energies that the model uses, or NULL. */
+static const struct energies *
+energies_in_model(const struct session *s)
+{
+	for (size_t j = 0; j < s->n_energies; j++)
+		if (s->set.model.impacts.n > 0 &&
+		    s->energies[j]->path == s->set.energy)
+			return s->energies[j];
+	return NULL;
+}
+
+void
+energies_put_field(struct fields *o, const struct session *s)
+{
+	const struct energies *e = energies_in_model(s);
+	if (e != NULL)
+		fields_put_values(o, "energies %s", e->name);
+}
+
 char *
 energies_trust_reason(const struct session *s)
 {
 	const struct impacts *i = &s->set.model.impacts;
-	const struct energies *e = NULL;
-	for (size_t j = 0; j < s->n_energies; j++)
-		if (s->energies[j]->path == s->set.energy)
-			e = s->energies[j];
-	if (i->n == 0 || e == NULL)
+	const struct energies *e = energies_in_model(s);
+	if (e == NULL)
 		return NULL;
 	if (!e->c.spectrum->counted)
 		return xasprintf(

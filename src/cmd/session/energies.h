@@ -38,6 +38,10 @@ const struct energies *energies_last_read(
 bool energies_use_file_in_model(
     struct session *s, const char *path, struct error *error);
 
+/* Puts "energies", the name of the collision energies that the model uses, if
+ * it uses any. */
+void energies_put_field(struct fields *o, const struct session *s);
+
 /* Returns a reason for the light, which says which energies Eq 3 uses; NULL if
  * it uses the single energy.  The caller frees it. */
 char *energies_trust_reason(const struct session *s);

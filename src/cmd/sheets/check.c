@@ -348,7 +348,10 @@ report_suspect_cells(struct answer *r, const struct entry *entry,
 static void
 report_worst_cell_of_fit(struct answer *r, const struct entry *entry)
 {
-	struct validation v = fit_find_outlier_cell(entry);
+	if (!entry->has_fit)
+		return;
+	struct validation v =
+	    trust_find_outlier_cell(entry->site, entry->train, &entry->fit);
 	if (v.worst_difference == 0)
 		return;
 	const struct run *run = &entry->site->run[v.run];

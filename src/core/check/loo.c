@@ -406,12 +406,14 @@ static void
 list_checkable_cells(struct leave_out *l, const struct posterior *posterior)
 {
 	const struct site *site = l->site;
+	double top = site_finest_sieve_all_pass(site);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *psd = &site->run[r].product;
 		size_t covered = misfit_count_covered_sieves(&site->run[r]);
+		size_t idle = misfit_count_idle_sieves(&site->run[r], top);
 		for (size_t i = 0; i < psd->n; i++)
 			if (posterior != NULL
-				? i < covered
+				? i >= idle && i < covered
 				: is_neither_0_nor_100_percent(psd->passing[i]))
 				add_checkable_cell(l, false, r, i);
 	}

@@ -55,6 +55,11 @@ bool trust_is_order_wrong(const struct passing_order *o);
  * feed does by over SAMPLES_AGREE. */
 bool trust_is_no_product_finer(const struct site *site);
 
+/* Returns the product cell (worst_sieve) furthest from the fit, if further than
+ * a careful sample would be; otherwise worst_difference is 0. */
+struct validation trust_find_outlier_cell(
+    const struct site *site, const bool *train, const struct fit *fit);
+
 /* The evidence on the fit itself.  It does not depend on the question and is
  * gathered once for each fit. */
 struct evidence {
@@ -63,10 +68,10 @@ struct evidence {
 	/* The products are not measurably finer than the feed. */
 	bool like_feed;
 	/* The residuals at all runs used, without the part that a step of the
-	 * parameters explains.  size: their mean square over that of usual
-	 * sampling errors; alike: the correlation of neighbours on a curve, in
+	 * parameters explains.  unexplained: their RMS, passing 0..1; size:
+	 * their mean square over that of usual sampling errors; alike: the correlation of neighbours on a curve, in
 	 * standard deviations. */
-	double size, alike;
+	double unexplained, size, alike;
 	/* NAN without a posterior.  discrepancy, sampling: medians of the
 	 * draws, passing 0..1; more: share of the draws in which the
 	 * discrepancy exceeds the sampling error. */
@@ -86,6 +91,7 @@ struct evidence {
 	double slowest, fastest;   /* of these speeds */
 	struct validation holdout; /* the worst held-out run; n_sieve 0: there
 				    * is none */
+	struct validation outlier; /* trust_find_outlier_cell */
 	/* The two runs that, adjusted to one feed, most contradict that a
 	 * faster rotor breaks more: their speeds, m/s.  order.most 0: no runs
 	 * do. */

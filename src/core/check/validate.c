@@ -171,12 +171,14 @@ score_validation_way(struct validation *v, const struct site *site,
     enum validate_way way, const double *passing)
 {
 	const struct psd *product = &site->run[v->run].product;
-	size_t worst = 0, n = v->n_sieve;
-	v->rmse[way] = psd_rms_difference(passing, product->passing, n, &worst);
+	size_t worst = 0, n = v->n_sieve, idle = v->n_idle;
+	v->rmse[way] = psd_rms_difference(
+	    passing + idle, product->passing + idle, n - idle, &worst);
+	worst += idle;
 	read_p20_p50_p80(product, passing, n, v->size[way]);
 	if (way != VALIDATE_MODEL)
 		return;
-	v->misfit = v->rmse[way] * v->rmse[way] * (double)n;
+	v->misfit = v->rmse[way] * v->rmse[way] * (double)(n - idle);
 	v->worst_sieve = product->size[worst];
 	v->worst_difference = passing[worst] - product->passing[worst];
 }
@@ -210,6 +212,8 @@ validate_run_from_predictions(const struct site *site, size_t run,
 	    .holdout = !train[run],
 	    .n_sieve = n,
 	    .n_left_out = at->product.n - n,
+	    .n_idle =
+		misfit_count_idle_sieves(at, site_finest_sieve_all_pass(site)),
 	    .nearest = nearest_training_speed(site, train, at->speed)};
 	find_speeds_to_interpolate(site, train, at->speed, v.line);
 	for (size_t i = 0; i < PSD_SIZES; i++)

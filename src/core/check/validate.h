@@ -34,6 +34,7 @@ struct validation {
 	bool holdout;               /* not among the training runs */
 	size_t n_sieve, n_left_out; /* sieves compared; sieves ignored because
 				     * the feed does not cover them */
+	size_t n_idle; /* of n_sieve, idle (misfit.h): not in the RMSE */
 	double misfit;
 	double worst_sieve, worst_difference; /* m; predicted - measured */
 	double measured[PSD_SIZES];           /* P20, P50, P80, m */

@@ -54,9 +54,17 @@ params_break_size_by_impacts(
 }
 
 char *
-selection_text(const struct params *p, double k)
+selection_text(const struct params *p, const struct model_settings *settings)
 {
 	const double *q = p->at + breakage_model_of_params(p)->strength;
+	const struct impacts *impacts = &settings->impacts;
+	double k = settings->k;
+	if (impacts->n > 0)
+		return xasprintf(
+		    "S(x) = 1 - (sum of share_j exp(-%.4g (x^%.4g ratio_j E - "
+		    "%.4g)))^%.4g over %zu groups of impacts (D15), x in m; "
+		    "each bracket 0 where negative",
+		    q[0] * k, q[2], q[1], impacts->number, impacts->n);
 	return xasprintf("S(x) = 1 - exp(-%.4g (x^%.4g E - %.4g)), x in m; 0 "
 			 "where the bracket is negative",
 	    q[0] * k, q[2], q[1]);

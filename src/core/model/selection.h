@@ -107,6 +107,7 @@ double params_break_size_by_impacts(
     const struct params *p, const struct model_settings *settings, double v);
 
 /* Returns Eq 3 as text with the numbers filled in.  The caller frees it. */
-char *selection_text(const struct params *p, double k);
+char *selection_text(
+    const struct params *p, const struct model_settings *settings);
 
 #endif

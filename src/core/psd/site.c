@@ -348,6 +348,22 @@ site_all_sieves(const struct site *site, size_t *n)
 	return all.size;
 }
 
+double
+site_finest_sieve_all_pass(const struct site *site)
+{
+	double top = 0;
+	for (size_t i = 0; i < 2 * site->n_run; i++) {
+		const struct psd *p = i % 2 == 0 ? &site->run[i / 2].feed
+						 : &site->run[i / 2].product;
+		for (size_t k = p->n; k-- > 0;)
+			if (p->passing[k] >= 1) {
+				top = fmax(top, p->size[k]);
+				break;
+			}
+	}
+	return top > 0 ? top : INFINITY;
+}
+
 struct psd *
 site_feed_or_product(const struct site *site, size_t run, bool feed)
 {

@@ -130,6 +130,11 @@ double site_largest_feed_difference(const struct site *site, double *sieve);
  * once.  The caller frees it. */
 double *site_all_sieves(const struct site *site, size_t *n);
 
+/* Returns the finest sieve, m, that all feeds and products pass, or INFINITY if
+ * there is none.  Coarser sieves show nothing, so means over sieves leave them
+ * out. */
+double site_finest_sieve_all_pass(const struct site *site);
+
 /* Appends a note to a list of n. */
 void site_add_note(
     struct site_note **list, size_t *n, const char *key, const char *value);

@@ -19,6 +19,15 @@ misfit_count_covered_sieves(const struct run *run)
 }
 
 size_t
+misfit_count_idle_sieves(const struct run *run, double top)
+{
+	size_t idle = 0, covered = misfit_count_covered_sieves(run);
+	while (idle + 1 < covered && run->product.size[idle] > top)
+		idle++;
+	return idle;
+}
+
+size_t
 misfit_mark_default_training(const struct site *site, bool *train)
 {
 	double slowest = INFINITY, fastest = 0;
@@ -39,21 +48,23 @@ misfit_mark_default_training(const struct site *site, bool *train)
 }
 
 static void
-misfit_fill_run(
-    struct misfit_run *to, const struct run *run, double run_weight, bool by_sd)
+misfit_fill_run(struct misfit_run *to, const struct run *run, double top,
+    double run_weight, bool by_sd)
 {
+	size_t idle = misfit_count_idle_sieves(run, top);
 	by_sd = by_sd && run->product_sd != NULL;
 	to->speed = run->speed;
 	to->feed = run->feed;
-	to->n = misfit_count_covered_sieves(run);
+	to->n = misfit_count_covered_sieves(run) - idle;
 	to->sieve = xcalloc_doubles(to->n);
 	to->measured = xcalloc_doubles(to->n);
 	to->weight = xcalloc_doubles(to->n);
 	for (size_t i = 0; i < to->n; i++) {
-		to->sieve[i] = run->product.size[i];
-		to->measured[i] = run->product.passing[i];
+		size_t from = idle + i;
+		to->sieve[i] = run->product.size[from];
+		to->measured[i] = run->product.passing[from];
 		to->weight[i] =
-		    sqrt(run_weight) / (by_sd ? run->product_sd[i] : 1);
+		    sqrt(run_weight) / (by_sd ? run->product_sd[from] : 1);
 	}
 }
 
@@ -63,6 +74,7 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 {
 	struct misfit *m = xcalloc(1, sizeof *m);
 	size_t widest = 0;
+	double top = site_finest_sieve_all_pass(site);
 	m->settings = settings;
 	m->of = BREAKAGES[settings.breakage];
 	m->run = xcalloc(site->n_run, sizeof *m->run);
@@ -72,7 +84,7 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 			continue;
 		struct misfit_run *run = &m->run[m->n_run];
 		double weight = run_weight != NULL ? run_weight[r] : 1;
-		misfit_fill_run(run, &site->run[r], weight, by_sd);
+		misfit_fill_run(run, &site->run[r], top, weight, by_sd);
 		run->run = r;
 		m->model[m->n_run++] =
 		    model_new(&run->feed, run->sieve, run->n, settings);

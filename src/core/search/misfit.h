@@ -11,8 +11,9 @@
 #include "core/model/product.h"
 #include "core/psd/site.h"
 
-/* One training run, with the product's sieves that the feed covers.  weight
- * [n]: factor of a difference before it is squared. */
+/* One training run, with those sieves of the product that the feed covers and
+ * that are not idle.  weight [n]: factor of a difference before it is
+ * squared. */
 struct misfit_run {
 	size_t run; /* index into the site's runs */
 	double speed;
@@ -81,6 +82,11 @@ double misfit_rmse(struct misfit *m, const struct params *p);
 /* Returns the number of sieves of the run's product that its feed covers.  They
  * are the coarsest, as only the finest sieves can be uncovered. */
 size_t misfit_count_covered_sieves(const struct run *run);
+
+/* Returns how many of these are coarser than `top`, the
+ * site_finest_sieve_all_pass: idle sieves, which tell nothing.  At least one
+ * is left. */
+size_t misfit_count_idle_sieves(const struct run *run, double top);
 
 /* Marks the default training set: all repeats at the slowest and the fastest
  * speed with a product.  Returns the number of runs marked. */
