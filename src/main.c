@@ -44,7 +44,8 @@ struct command_line {
 };
 
 static bool
-take_format(const char *word, enum answer_format *format, struct error *error)
+parse_format_name(
+    const char *word, enum answer_format *format, struct error *error)
 {
 	for (size_t i = 0; i < ARRAY_LEN(ANSWER_FORMATS); i++) {
 		if (strcmp(word, ANSWER_FORMATS[i].name) != 0)
@@ -57,7 +58,7 @@ take_format(const char *word, enum answer_format *format, struct error *error)
 }
 
 static bool
-take_language(const char *word, struct error *error)
+use_language(const char *word, struct error *error)
 {
 	return tr_set_language(word) ||
 	       error_set(error, ERROR_USAGE,
@@ -77,7 +78,7 @@ main_take_option(
 		    (struct action){(char)option, value};
 		return true;
 	case USAGE_FORMAT:
-		return take_format(value, &in->format, error);
+		return parse_format_name(value, &in->format, error);
 	case USAGE_SEED:
 		return (text_parse_whole_number(value, &in->seed) &&
 			   in->seed <= INT64_MAX) ||
@@ -91,7 +92,7 @@ main_take_option(
 		       error_set(error, ERROR_USAGE,
 			   "expected --store with a file or :memory:");
 	case USAGE_LANG:
-		return take_language(value, error);
+		return use_language(value, error);
 	case USAGE_SAFE:
 		in->safe = true;
 		return true;
@@ -120,7 +121,7 @@ main_take_option(
  * word: the argument read last.  If a letter inside it is unknown, only that
  * letter is named. */
 static bool
-refuse_option(
+set_option_error(
     int option, const char *letters, const char *word, struct error *error)
 {
 	char letter[3] = {'-', (char)optopt, '\0'};
@@ -156,7 +157,7 @@ read_command_line(
 	opterr = 0;
 	while ((option = getopt_long(argc, argv, letters, options, NULL)) != -1)
 		if (option == '?' || option == ':'
-			? !refuse_option(
+			? !set_option_error(
 			      option, letters, argv[optind - 1], error)
 			: !main_take_option(in, option, optarg, error))
 			return false;
@@ -218,7 +219,7 @@ main_run(
 	int status = 0;
 	bool prompt = in->n_action == 0 && terminal_is_interactive();
 	if (prompt)
-		repl_greet(s);
+		repl_start(s);
 	if (in->first_file < argc)
 		status = open_files(s, argv + in->first_file,
 		    (size_t)(argc - in->first_file), prompt);
@@ -238,7 +239,7 @@ main_run(
 /* Returns the exit status after flushing standard output: a full disk or a
  * closed pipe must not look like success. */
 static int
-close_output(int status)
+flush_stdout(int status)
 {
 	if (fflush(stdout) == 0 && !ferror(stdout))
 		return status;
@@ -253,7 +254,7 @@ close_output(int status)
  * the number of one of them, and everything printed there.  They are opened
  * read-only, so that printing to them still fails. */
 static void
-open_missing(void)
+open_missing_fds(void)
 {
 	int fd;
 	do
@@ -266,7 +267,7 @@ open_missing(void)
 int
 main(int argc, char **argv)
 {
-	open_missing();
+	open_missing_fds();
 	/* Not LC_NUMERIC: under sv_SE 11.2 would be read as 11. */
 	setlocale(LC_CTYPE, "");
 	tr_set_language(NULL);
@@ -313,5 +314,5 @@ main(int argc, char **argv)
 	/* What failed because of a signal was ended by it. */
 	if (status != 0 && signals_pending() != 0)
 		status = signals_exit_status();
-	return close_output(status);
+	return flush_stdout(status);
 }

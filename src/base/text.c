@@ -158,7 +158,7 @@ plain_letter(unsigned char c, unsigned char d)
 /* Writes a Cyrillic capital, the two bytes at s, in lower case to `to`.
  * Returns false for anything else. */
 static bool
-copy_small_cyrillic(const unsigned char *s, char *to)
+copy_cyrillic_lower(const unsigned char *s, char *to)
 {
 	if (s[0] != 0xD0 || s[1] < 0x90 || s[1] > 0xAF)
 		return false;
@@ -182,7 +182,7 @@ text_fold_case_and_accents(const char *s)
 			folded[n++] = plain;
 		if (plain != '*' || (accent && d >= 0x80)) {
 			s += 2;
-		} else if (copy_small_cyrillic(
+		} else if (copy_cyrillic_lower(
 			       (const unsigned char *)s, &folded[n])) {
 			n += 2;
 			s += 2;

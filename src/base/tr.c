@@ -86,7 +86,7 @@ tr_n(const char *one, const char *several, unsigned long n)
 }
 
 bool
-tr_switch_on(bool on)
+tr_set_enabled(bool on)
 {
 	bool was = strcmp(textdomain(NULL), ON) == 0;
 	textdomain(on ? ON : OFF);
@@ -115,7 +115,7 @@ tr_n(const char *one, const char *several, unsigned long n)
 }
 
 bool
-tr_switch_on(bool on)
+tr_set_enabled(bool on)
 {
 	return on;
 }

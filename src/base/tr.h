@@ -24,7 +24,7 @@ const char *tr_n(const char *one, const char *several, unsigned long n)
 
 /* Turns translation on or off, because results for programs are always in
  * English.  Returns the previous setting. */
-bool tr_switch_on(bool on);
+bool tr_set_enabled(bool on);
 
 /* True for yes, or no, or its first letter, in English or in the language of
  * texts. */

@@ -60,7 +60,7 @@ ask_confirm(struct session *s, const char *question, bool yes)
 }
 
 int
-question_columns(void)
+ask_wrap_columns(void)
 {
 	int rows, columns;
 	terminal_size(&rows, &columns);
@@ -97,7 +97,7 @@ char *
 ask_with_reader(struct session *s, const struct user_question *q,
     char *(*read)(const char *text))
 {
-	int columns = question_columns();
+	int columns = ask_wrap_columns();
 	(void)s;
 	if (q->wrong[0] != '\0')
 		text_print_wrapped(q->wrong, 0, columns, stderr);

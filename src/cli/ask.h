@@ -12,7 +12,7 @@
 int ask_wait_for_line(char **line);
 
 /* Returns the number of columns at which questions are wrapped. */
-int question_columns(void);
+int ask_wrap_columns(void);
 
 /* Ask at the prompt; for the hooks `confirm` and `ask` of the session.  read:
  * prompts with a text and returns the line without its end, which the caller

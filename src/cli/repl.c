@@ -253,7 +253,7 @@ read_prompt_line(const char *text)
 {
 	struct sigaction was[3];
 	signals_block();
-	signals_take_terminal(was);
+	signals_catch_terminal(was);
 	prompt.given = 0;
 	set_readline_size(text);
 	restore_prepare_for_prompt(
@@ -264,7 +264,7 @@ read_prompt_line(const char *text)
 	 * off. */
 	if (line == NULL && !is_bracketed_paste_on())
 		fputc('\n', rl_outstream);
-	signals_give_terminal(was);
+	signals_release_terminal(was);
 	signals_unblock();
 	return line;
 }
@@ -455,7 +455,7 @@ set_up_readline(struct session *s)
 }
 
 void
-repl_greet(struct session *s)
+repl_start(struct session *s)
 {
 	fprintf(stderr,
 	    tr("tipspeed %s: help lists the commands, tui is full-screen mode, "
@@ -505,7 +505,7 @@ static bool
 repl_confirm(struct session *s, const char *question, bool yes)
 {
 	(void)s;
-	text_print_wrapped(question, 0, question_columns(), stderr);
+	text_print_wrapped(question, 0, ask_wrap_columns(), stderr);
 	char *typed = read_prompt_line(
 	    yes ? tr("[Y/n, or a command] ") : tr("[y/N, or a command] "));
 	enum reply reply =

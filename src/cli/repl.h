@@ -7,7 +7,7 @@
 
 /* Prints a greeting and runs the user's init file.  Called before the files on
  * the command line are opened. */
-void repl_greet(struct session *s);
+void repl_start(struct session *s);
 
 /* Reads and runs lines until quit, ^D, SIGTERM or SIGHUP, and returns the exit
  * status: 0, 143 or 129.  Prints errors and continues.  signals_catch must have

@@ -125,7 +125,7 @@ signals_record_suspend(bool note)
 }
 
 void
-signals_take_terminal(struct sigaction was[static 3])
+signals_catch_terminal(struct sigaction was[static 3])
 {
 	struct sigaction action = {.sa_handler = on_terminal_signal};
 	sigaction(SIGTSTP, NULL, &was[0]);
@@ -135,7 +135,7 @@ signals_take_terminal(struct sigaction was[static 3])
 }
 
 void
-signals_give_terminal(const struct sigaction was[static 3])
+signals_release_terminal(const struct sigaction was[static 3])
 {
 	sigaction(SIGTSTP, &was[0], NULL);
 	sigaction(SIGCONT, &was[1], NULL);

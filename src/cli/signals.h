@@ -25,16 +25,16 @@ bool signals_wait_with_mask(const sigset_t *mask, double seconds);
 /* Lets blocked signals arrive now. */
 void signals_deliver_blocked(void);
 
-/* Between signals_take_terminal and signals_give_terminal, ^Z, the return from
+/* Between signals_catch_terminal and signals_release_terminal, ^Z, the return from
  * it and a change of the terminal's size are recorded.
  * signals_take_terminal_events returns those since its last call, as these
  * bits. */
 enum { SIGNALS_STOP = 1, SIGNALS_WAKE = 2, SIGNALS_SIZE = 4 };
-void signals_take_terminal(struct sigaction was[static 3]);
-void signals_give_terminal(const struct sigaction was[static 3]);
+void signals_catch_terminal(struct sigaction was[static 3]);
+void signals_release_terminal(const struct sigaction was[static 3]);
 int signals_take_terminal_events(void);
 
-/* If `note`, ^Z is recorded, as by signals_take_terminal; otherwise it stops
+/* If `note`, ^Z is recorded, as by signals_catch_terminal; otherwise it stops
  * the program and its child processes. */
 void signals_record_suspend(bool note);
 

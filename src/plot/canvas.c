@@ -40,7 +40,7 @@ canvas_cell_at(struct canvas *canvas, int column, int row)
 }
 
 int
-canvas_text_within(struct canvas *canvas, int column, int row, int end,
+canvas_put_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute)
 {
 	if (row < 0 || row >= canvas->rows)
@@ -67,10 +67,10 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 }
 
 void
-canvas_text(struct canvas *canvas, int column, int row, const char *text,
+canvas_put_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute)
 {
-	canvas_text_within(
+	canvas_put_text_within(
 	    canvas, column, row, canvas->columns, text, series, attribute);
 }
 

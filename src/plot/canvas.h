@@ -37,12 +37,12 @@ struct canvas_cell *canvas_cell_at(struct canvas *canvas, int column, int row);
 
 /* Writes text to the right from a cell, clipped at the edges of the canvas.
  * Control characters are escaped (text_escape_next_character). */
-void canvas_text(struct canvas *canvas, int column, int row, const char *text,
-    enum series series, unsigned attribute);
+void canvas_put_text(struct canvas *canvas, int column, int row,
+    const char *text, enum series series, unsigned attribute);
 
-/* As canvas_text, but clipped at column `end`.  Returns the column after the
+/* As canvas_put_text, but clipped at column `end`.  Returns the column after the
  * text. */
-int canvas_text_within(struct canvas *canvas, int column, int row, int end,
+int canvas_put_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute);
 
 /* Writes a code point as UTF-8 to text and returns text. */

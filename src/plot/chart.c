@@ -267,7 +267,7 @@ mark_of_character(char code)
 }
 
 char
-mark_character(unsigned i, bool hollow)
+mark_character_at(unsigned i, bool hollow)
 {
 	return MARKS[i % EACH + (hollow ? EACH : 0)].code;
 }

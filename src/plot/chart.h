@@ -35,7 +35,7 @@ struct point_mark {
 const struct point_mark *mark_of_character(char code);
 
 /* Returns the character of full or hollow mark i; these repeat cyclically. */
-char mark_character(unsigned i, bool hollow);
+char mark_character_at(unsigned i, bool hollow);
 
 /* The site or material of a point, for a chart with several; NULL for data of
  * no site.  about: the source of its data.  label: a text to show beside the

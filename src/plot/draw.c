@@ -42,7 +42,7 @@ row_of_y(const struct layout *l, double y, int parts)
 }
 
 static uint32_t
-code_of_rule(enum series series, enum charset charset)
+char_of_rule(enum series series, enum charset charset)
 {
 	bool ascii = charset == CHARSET_ASCII;
 	switch (series) {
@@ -56,7 +56,7 @@ code_of_rule(enum series series, enum charset charset)
 }
 
 static uint32_t
-code_of_mark(const struct chart_series *s, enum charset charset)
+char_of_mark(const struct chart_series *s, enum charset charset)
 {
 	const struct point_mark *mark = mark_of_character(s->mark);
 	return s->fine && mark != NULL && charset != CHARSET_ASCII
@@ -78,7 +78,7 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 			   : charset == CHARSET_ASCII  ? ascii
 						       : LINES[series->line];
 	if (series->mark != '\0')
-		canvas_encode_utf8(code_of_mark(series, charset), mark);
+		canvas_encode_utf8(char_of_mark(series, charset), mark);
 	/* A heavy line would not look dashed; a bar is meant to be heavy. */
 	if (series->line == CHART_LONG && mark[0] == '\0' && !series->bars)
 		return xasprintf(
@@ -87,7 +87,7 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 	return xasprintf("%s%s%s", line, mark[0] != '\0' ? mark : line, line);
 }
 
-/* As canvas_text, but text that the edge would cut is shortened to what can be
+/* As canvas_put_text, but text that the edge would cut is shortened to what can be
  * read. */
 static void
 put_text_cut_to_width(struct layout *l, int column, int row, const char *text,
@@ -95,7 +95,7 @@ put_text_cut_to_width(struct layout *l, int column, int row, const char *text,
 {
 	FREED char *fitted =
 	    text_cut_to_width(text, l->canvas->columns - column);
-	canvas_text(l->canvas, column, row, fitted, series, attribute);
+	canvas_put_text(l->canvas, column, row, fitted, series, attribute);
 }
 
 /* Lays out series that have a name, and then rules, side by side in rows as
@@ -131,7 +131,7 @@ lay_out_legend(struct layout *l, int row)
 		if (row >= 0 && rule != NULL && column < l->canvas->columns)
 			*canvas_cell_at(l->canvas, column, row + rows - 1) =
 			    (struct canvas_cell){
-				code_of_rule(series, l->charset),
+				char_of_rule(series, l->charset),
 				(unsigned char)series, 0};
 		column += wide + GAP;
 	}
@@ -150,8 +150,8 @@ draw_wrapped_text(
 	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save), rows++)
 		if (row >= 0)
-			canvas_text(l->canvas, 0, row + rows, line, SERIES_TEXT,
-			    attribute);
+			canvas_put_text(l->canvas, 0, row + rows, line,
+			    SERIES_TEXT, attribute);
 	return rows;
 }
 
@@ -265,7 +265,7 @@ lay_out_chart(const struct chart *chart, struct canvas *canvas, int left,
 
 /* Draws a part of an axis, faint so that the data are seen first. */
 static void
-put_axis_code(struct layout *l, int column, int row, uint32_t code)
+put_axis_char(struct layout *l, int column, int row, uint32_t code)
 {
 	if (column >= 0)
 		*canvas_cell_at(l->canvas, column, row) =
@@ -282,18 +282,18 @@ draw_chart_y_axis(struct layout *l)
 	bool ascii = l->charset == CHARSET_ASCII;
 	FREED char *taken = xcalloc((size_t)l->height, 1);
 	for (int row = 0; row < l->height; row++)
-		put_axis_code(
+		put_axis_char(
 		    l, l->left - 1, l->top + row, ascii ? '|' : 0x2502);
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < a->n; i++) {
 			const struct axis_tick *t = &a->tick[i];
 			int row = row_of_y(l, t->at, 1);
-			put_axis_code(
+			put_axis_char(
 			    l, l->left - 1, l->top + row, ascii ? '+' : 0x2524);
 			if (t->rank != rank || taken[row])
 				continue;
 			taken[row] = 1;
-			canvas_text(l->canvas,
+			canvas_put_text(l->canvas,
 			    l->left - 1 - text_width_in_columns(t->label),
 			    l->top + row, t->label, SERIES_TEXT, 0);
 		}
@@ -306,12 +306,12 @@ draw_chart_x_axis_line(struct layout *l)
 	bool ascii = l->charset == CHARSET_ASCII;
 	if (l->axis < 0)
 		return;
-	put_axis_code(l, l->left - 1, l->axis, ascii ? '+' : 0x2514);
+	put_axis_char(l, l->left - 1, l->axis, ascii ? '+' : 0x2514);
 	for (int column = 0; column < l->width; column++)
-		put_axis_code(
+		put_axis_char(
 		    l, l->left + column, l->axis, ascii ? '-' : 0x2500);
 	for (size_t i = 0; i < a->n; i++)
-		put_axis_code(l, l->left + column_of_x(l, a->tick[i].at, 1),
+		put_axis_char(l, l->left + column_of_x(l, a->tick[i].at, 1),
 		    l->axis, ascii ? '+' : 0x252C);
 }
 
@@ -326,7 +326,7 @@ draw_chart_x_axis_labels(struct layout *l)
 	axis_place_labels(a, l->width, l->rows_of_x_labels, column, row);
 	for (size_t i = 0; i < a->n; i++)
 		if (row[i] != AXIS_DROPPED)
-			canvas_text(l->canvas, l->left + column[i],
+			canvas_put_text(l->canvas, l->left + column[i],
 			    l->labels + row[i], a->tick[i].label, SERIES_TEXT,
 			    0);
 }
@@ -396,7 +396,7 @@ is_line_drawn_at_step(enum chart_line line, enum charset charset, int step)
 }
 
 static void
-put_code_in_plot(struct layout *l, int column, int row, uint32_t code,
+put_char_in_plot(struct layout *l, int column, int row, uint32_t code,
     enum series series, unsigned attribute)
 {
 	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
@@ -423,7 +423,7 @@ put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 	uint32_t code = l->charset == CHARSET_ASCII
 			    ? (uint32_t)s->ascii
 			    : canvas_dots_code(l->charset, all);
-	put_code_in_plot(l, column, row, code, s->series, 0);
+	put_char_in_plot(l, column, row, code, s->series, 0);
 	*dots = (unsigned char)all;
 }
 
@@ -467,13 +467,13 @@ draw_shaded_cell(struct layout *l, const struct chart_series *s, size_t i)
 	int foot = row_of_y(l, s->y[i] - 0.5, 1);
 	for (int row = top; row < foot || row == top; row++)
 		for (int column = left; column < right; column++)
-			put_code_in_plot(l, column, row,
+			put_char_in_plot(l, column, row,
 			    l->charset == CHARSET_ASCII ? SHADES[shade]
 							: BLOCKS[shade],
 			    s->series, 0);
 	int room = right - left - 2, wide = text_width_in_columns(label);
 	if (wide <= room)
-		canvas_text(l->canvas,
+		canvas_put_text(l->canvas,
 		    l->left + left + (right - left - wide) / 2,
 		    l->top + (top + foot) / 2, label, s->series,
 		    shade == 3 ? CELL_BOLD : 0);
@@ -510,8 +510,8 @@ draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 	if (fine && l->chart->strip > 0)
 		draw_small_mark(l, s, i);
 	else
-		put_code_in_plot(l, column_of_point(l, s, i),
-		    row_of_y(l, s->y[i], 1), code_of_mark(s, l->charset),
+		put_char_in_plot(l, column_of_point(l, s, i),
+		    row_of_y(l, s->y[i], 1), char_of_mark(s, l->charset),
 		    s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
 			(s->lifted && !fine ? CELL_REVERSE : 0));
@@ -535,7 +535,7 @@ clear_around_marks(struct layout *l, const struct chart_series *s)
 			int row = row_of_y(l, s->y[i], 1);
 			if (has_cell_dots(l, column, row) &&
 			    has_cell_dots(l, column, row + 2 * by))
-				put_code_in_plot(
+				put_char_in_plot(
 				    l, column, row + by, ' ', SERIES_TEXT, 0);
 		}
 }
@@ -596,7 +596,7 @@ fill_band_column(
 	    l->height * (1 - axis_relative_position(&l->chart->y, low));
 	uint32_t shade = l->charset == CHARSET_ASCII ? ',' : 0x2591;
 	for (int row = (int)ceil(top); row + 1 <= foot; row++)
-		put_code_in_plot(l, column, row, shade, tint, CELL_DIM);
+		put_char_in_plot(l, column, row, shade, tint, CELL_DIM);
 }
 
 /* Stipples a band at dot x: in every second column, sets the dots at its edges
@@ -664,7 +664,7 @@ draw_chart_guides(struct layout *l)
 						  : 0x00B7;
 		for (int column = every / 2; column < l->width && t->guide;
 		     column += every)
-			put_code_in_plot(l, column, row_of_y(l, t->at, 1), code,
+			put_char_in_plot(l, column, row_of_y(l, t->at, 1), code,
 			    SERIES_TEXT, CELL_DIM);
 	}
 }
@@ -682,8 +682,8 @@ draw_chart_rules(struct layout *l)
 		bool thin = r->series != SERIES_CROSSHAIR;
 		for (int row = 0; row < l->height;
 		     row += thin && l->height >= TALL ? 2 : 1)
-			put_code_in_plot(l, column, row,
-			    code_of_rule(r->series, l->charset), r->series, 0);
+			put_char_in_plot(l, column, row,
+			    char_of_rule(r->series, l->charset), r->series, 0);
 	}
 }
 
@@ -713,8 +713,8 @@ draw_chart_point_name(struct layout *l, const struct chart_series *s, size_t i)
 	int from[] = {at + 2, at - 1 - wide};
 	for (size_t k = 0; k < ARRAY_LEN(from); k++)
 		if (is_blank_around(l, from[k], row, wide)) {
-			canvas_text(l->canvas, l->left + from[k], l->top + row,
-			    label, s->series, 0);
+			canvas_put_text(l->canvas, l->left + from[k],
+			    l->top + row, label, s->series, 0);
 			return;
 		}
 }

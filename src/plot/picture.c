@@ -610,8 +610,7 @@ static const struct shape {
 /* Writes the bars of a character and returns their number, which is 0 for a
  * character that is text. */
 static size_t
-shape_of_block_character(
-    uint32_t code, enum kind *kind, struct bar bar[static BARS])
+bars_of_character(uint32_t code, enum kind *kind, struct bar bar[static BARS])
 {
 	/* Dots 1 to 8 of braille: column, row. */
 	static const unsigned char DOTS[BARS][2] = {
@@ -710,7 +709,7 @@ draw_bars_of_cells(const struct canvas *canvas, int depth, struct pen *pen)
 		bool faint = canvas_is_faint(canvas, cell, depth);
 		enum kind kind = GROUND;
 		struct bar bar[BARS];
-		size_t n = shape_of_block_character(cell->code, &kind, bar);
+		size_t n = bars_of_character(cell->code, &kind, bar);
 		for (size_t i = 0; i < n; i++)
 			add_or_join_bar(&all[kind][cell->series][faint], column,
 			    row, &bar[i]);
@@ -731,7 +730,7 @@ is_text_cell(const struct canvas_cell *cell)
 	enum kind kind;
 	struct bar bar[BARS];
 	return cell->code > ' ' && cell->code != 0x2800 &&
-	       shape_of_block_character(cell->code, &kind, bar) == 0;
+	       bars_of_character(cell->code, &kind, bar) == 0;
 }
 
 /* Returns the column after a run of text that begins at `from`: cells of the

@@ -123,7 +123,7 @@ static void
 resume_search_within_bounds(struct tui *t, bool edited)
 {
 	bool on = t->session->job.paused;
-	if (control_run_and_show(t, on ? "continue" : "calibrate") && on &&
+	if (control_run_command(t, on ? "continue" : "calibrate") && on &&
 	    edited)
 		tui_say(t, false, "continues within the new bounds");
 }
@@ -194,7 +194,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
 		t->callbacks->leave(t);
-	bool ok = control_run_and_show(t, line);
+	bool ok = control_run_command(t, line);
 	if (aside) {
 		wait_for_return_key();
 		t->callbacks->come_back(t);

@@ -175,7 +175,7 @@ control_command_of_line(const char *line)
 }
 
 void
-control_refresh_screen(struct tui *t)
+control_update_state(struct tui *t)
 {
 	const struct session *s = t->session;
 	t->session->wants_tui = false;
@@ -308,14 +308,14 @@ control_run_line(struct tui *t, const char *line)
 	tui_set_feed_from_answer(t);
 	if (strcmp(s->set.feed, was.feed) != 0)
 		tui_set_feed_from_setting(t);
-	control_refresh_screen(t);
+	control_update_state(t);
 	if (session_is_calibrating(s) && !was_busy)
 		show_job_begun(t, line);
 	return ok;
 }
 
 bool
-control_run_and_show(struct tui *t, const char *line)
+control_run_command(struct tui *t, const char *line)
 {
 	free(t->command);
 	t->command = xstrdup(line);
@@ -422,7 +422,7 @@ control_open_screen(
 	t->captured = text_open_memory(&t->captured_text, &t->captured_n);
 	s->out = s->notes = t->captured;
 	apply_page_settings(t);
-	control_refresh_screen(t);
+	control_update_state(t);
 	open = t;
 }
 

@@ -18,11 +18,11 @@ struct tui *control_current_screen(void);
 
 /* Runs a line composed by a key, and shows it as the last command.  If it
  * fails, shows the error and returns false. */
-bool control_run_and_show(struct tui *t, const char *line);
+bool control_run_command(struct tui *t, const char *line);
 
 /* Brings the state of the screen up to date after a command that was run
  * elsewhere. */
-void control_refresh_screen(struct tui *t);
+void control_update_state(struct tui *t);
 
 /* ---- For cmdline.c ---- */
 

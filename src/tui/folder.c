@@ -204,7 +204,7 @@ folder_free(struct folder *folder)
 }
 
 char *
-folder_target_of_item(const struct folder *folder, size_t item)
+folder_path_of_item(const struct folder *folder, size_t item)
 {
 	const char *path = folder->path;
 	size_t n = strlen(path);
@@ -222,7 +222,7 @@ folder_target_of_item(const struct folder *folder, size_t item)
 /* Adds "./" to a name that would otherwise be taken for an option (=) or a
  * speed (@). */
 char *
-folder_open_command(const struct folder_item *item, bool anew)
+folder_command_to_open(const struct folder_item *item, bool anew)
 {
 	if (item->made != NULL)
 		return xstrdup(item->made);

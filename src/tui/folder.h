@@ -54,11 +54,11 @@ void folder_free(struct folder *folder);
 
 /* Returns the path of the folder to which an item leads: "sub/" or, for the
  * parent of the working folder, "../".  The caller frees it. */
-char *folder_target_of_item(const struct folder *folder, size_t item);
+char *folder_path_of_item(const struct folder *folder, size_t item);
 
 /* Returns the command that opens an item other than a folder.  anew: a saved
  * session replaces the current one.  The caller frees it. */
-char *folder_open_command(const struct folder_item *item, bool anew);
+char *folder_command_to_open(const struct folder_item *item, bool anew);
 
 /* Returns a description of a site as it was read, in lines.  The caller frees
  * it. */

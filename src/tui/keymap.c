@@ -210,7 +210,7 @@ static void
 restart_calibration(struct tui *t, const char *line)
 {
 	tui_stop_fit(t);
-	control_run_and_show(t, line);
+	control_run_command(t, line);
 }
 
 void
@@ -278,7 +278,7 @@ act_toggle_pin(struct tui *t, const struct key *key)
 		pinned ? was.speed : tui_slider_speed(t), 1);
 	if (!pinned && t->view.current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
-	else if (!control_run_and_show(t, pinned ? "pin off" : line))
+	else if (!control_run_command(t, pinned ? "pin off" : line))
 		; /* it has shown the error */
 	else if (pinned)
 		tui_say(t, false,
@@ -311,7 +311,7 @@ act_toggle_band(struct tui *t, const struct key *key)
 		    entry->has_fit && fit_has_too_few_data(&entry->fit)
 			? "%s"
 			: N_("%s; f calibrates"),
-		    band_why_none(t->session, entry));
+		    band_why_missing(t->session, entry));
 }
 
 void
@@ -409,7 +409,7 @@ handle_goal_field_key(struct tui *t, int code, bool special)
 {
 	FREED char *line = goal_handle_key(t, code, special);
 	if (line != NULL)
-		control_run_and_show(t, line);
+		control_run_command(t, line);
 	return true;
 }
 

@@ -306,7 +306,7 @@ static const char *const IN_RPM[][2] = {
     {"a speed: =72.5 Enter", N_("a speed: =1450 Enter")}};
 
 const char *
-keys_words(const char *words, bool in_rpm)
+keys_shown_text(const char *words, bool in_rpm)
 {
 	for (size_t i = 0; in_rpm && i < ARRAY_LEN(IN_RPM); i++)
 		if (strcmp(words, IN_RPM[i][0]) == 0)
@@ -320,7 +320,7 @@ static char *
 key_description(const struct key *k, bool in_rpm)
 {
 	unsigned pages = k->where & ON_ALL;
-	char *words = xstrdup(keys_words(k->what, in_rpm));
+	char *words = xstrdup(keys_shown_text(k->what, in_rpm));
 	for (enum page page = 0; page < PAGES; page++)
 		if (pages == 1U << page)
 			xappend(&words, " (%s)",
@@ -353,7 +353,7 @@ brief_help_line(const struct key *k, bool in_rpm)
 			xappend(&names, " %.*s", (int)n, next->name);
 	}
 	return xasprintf(
-	    "  %-*s %s", ROOM, names, keys_words(k->brief, in_rpm));
+	    "  %-*s %s", ROOM, names, keys_shown_text(k->brief, in_rpm));
 }
 
 static char *

@@ -47,7 +47,7 @@ const struct key *keys_listed_at(enum page page, const char *word, size_t n);
 size_t keys_count_listed(enum page page, const char *word);
 
 /* Returns a text about a key, translated.  in_rpm: with speeds in rpm. */
-const char *keys_words(const char *words, bool in_rpm);
+const char *keys_shown_text(const char *words, bool in_rpm);
 
 /* Prints the keys for tipspeed-tui(1), as mdoc. */
 void keys_print_manual(FILE *out);

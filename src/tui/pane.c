@@ -147,7 +147,7 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 		bool held_out = !entry->train[r];
 		if (site_run_repeats_speed(site, r) ||
 		    !site_run_is_near_speed(
-			site, r, tui_slider_speed(t), SITE_CHART_RUNS))
+			site, r, tui_slider_speed(t), SITE_CHART_SPEEDS))
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, r, held_out);

@@ -295,7 +295,7 @@ screen_draw_clipped_text(const struct area *area, int row, int column,
 {
 	if (row < 0 || row >= area->rows || column < 0)
 		return column;
-	return canvas_text_within(display.frame, area->column + column,
+	return canvas_put_text_within(display.frame, area->column + column,
 		   area->row + row, area->column + area->columns, text, series,
 		   look) -
 	       area->column;

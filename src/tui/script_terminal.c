@@ -180,7 +180,7 @@ draw_open_screen(struct screen_request *request, struct error *error)
 	t->aside = true;
 	t->picker.on = false;
 	if (stale) {
-		control_refresh_screen(t);
+		control_update_state(t);
 		view_predict_unrecorded(t);
 	}
 	if (request->page > 0)

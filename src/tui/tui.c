@@ -203,7 +203,7 @@ tui_run(struct session *s)
 		typed_history_open(!s->safe);
 	restore_record_settings();
 	signals_block();
-	signals_take_terminal(was);
+	signals_catch_terminal(was);
 	bool opened = screen_open(terminal_has_colour());
 	if (opened) {
 		control_open_screen(&t, s, &ON_TERMINAL);
@@ -216,7 +216,7 @@ tui_run(struct session *s)
 		screen_close();
 		restore_cancel();
 	}
-	signals_give_terminal(was);
+	signals_release_terminal(was);
 	signals_unblock();
 	if (!history)
 		typed_history_close();

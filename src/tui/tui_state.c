@@ -129,7 +129,7 @@ tui_feed_curve(const struct tui *t)
  * NULL.  They are those of the prediction shown beside them, and are written to
  * `room`. */
 static const struct params *
-params_moving_products(const struct tui *t, struct params *room)
+params_to_move_products(const struct tui *t, struct params *room)
 {
 	const struct entry *entry = tui_entry_for_prediction(t);
 	*room = entry->params;
@@ -144,7 +144,7 @@ tui_measured_product(const struct tui *t, size_t run)
 {
 	struct params room;
 	return product_moved_to_feed(t->session, tui_entry_for_prediction(t),
-	    params_moving_products(t, &room), run, tui_feed_run(t));
+	    params_to_move_products(t, &room), run, tui_feed_run(t));
 }
 
 bool
@@ -152,8 +152,8 @@ tui_is_product_moved_to_feed(const struct tui *t, size_t run)
 {
 	struct params room;
 	return largest_move_to_feed(t->session, tui_entry_for_prediction(t),
-		   params_moving_products(t, &room), run,
-		   tui_feed_run(t)) > MOVED_TOLD;
+		   params_to_move_products(t, &room), run,
+		   tui_feed_run(t)) > MOVED_MENTIONED;
 }
 
 void

@@ -42,7 +42,7 @@ tui_stop_fit(struct tui *t)
 	session_end_finished_commands(s, true, &error);
 	t->ran = tui_search_seconds(t);
 	t->held = false;
-	control_refresh_screen(t);
+	control_update_state(t);
 	const char *said =
 	    useless != NULL ? useless
 	    : alone
@@ -61,7 +61,7 @@ report_fit_end(struct tui *t, bool alone)
 	if (!session_end_finished_commands(t->session, true, &error))
 		captured_show_error(t, &error, "", "");
 	t->held = false;
-	control_refresh_screen(t);
+	control_update_state(t);
 	const struct entry *entry = tui_current_entry(t);
 	if (error.kind != ERROR_NONE)
 		return;
@@ -89,7 +89,7 @@ end_job_and_show_result(struct tui *t, const struct job_type *type)
 		return;
 	}
 	t->held = false;
-	control_refresh_screen(t);
+	control_update_state(t);
 	captured_show_output(t);
 	if (!session_end_finished_commands(t->session, true, &error))
 		captured_show_error(t, &error, "", "");
@@ -181,5 +181,5 @@ watch_run_due_fit_steps(struct tui *t)
 	if (!session_is_calibrating(s))
 		end_job_and_show_result(t, type);
 	else if (type->task_words == NULL && entry != s->job.entry)
-		control_refresh_screen(t);
+		control_update_state(t);
 }

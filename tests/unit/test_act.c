@@ -107,7 +107,7 @@ a_speed_is_typed_with_its_unit(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "=1500 rpm\n");
 	assert_non_null(strstr(t->message, "diameter is not known"));
 	session_current_entry(t->session)->site->rotor = 0.9;
@@ -149,7 +149,7 @@ a_sheet_in_rpm_is_stepped_in_rpm(void **state)
 	for (size_t r = 0; r < site->n_run; r++)
 		site->run[r].speed =
 		    rotor_speed_from_rpm(1464 + 106 * (double)r, 0.9);
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "=1650\nl");
 	assert_int_equal(tui_slider_position(t), 1651);
 	FREED char *where = tui_options_at_slider(t);
@@ -180,7 +180,7 @@ a_digit_that_is_no_page_begins_a_speed(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv; set slider 60..99");
-	control_refresh_screen(t);
+	control_update_state(t);
 	for (int tens = 6; tens <= 9; tens++) {
 		char typed[] = {(char)('0' + tens), '9', '\n', '\0'};
 		type(t, typed);
@@ -339,7 +339,7 @@ a_goal_outlives_its_site(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk,
 	    "load data/sites/tierp.csv; params set f_mat=1 e0_min=16 alpha=1");
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	type(t, "tp80=5.4\n");
 	draw_all(t);
@@ -364,7 +364,7 @@ an_envelope_waits_for_parameters(void **state)
 	assert_non_null(
 	    strstr(stage->desk->error.text, "has no parameters yet"));
 	assert_false(desk_say(stage->desk, "spec EN 12620 0/4"));
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "f..:spec\n");
 	draw_all(t);
 	assert_false(t->failed && t->message[0] == '\0');
@@ -377,7 +377,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "t5.2\n");
 	assert_false(t->line.active);
 	assert_string_equal(t->session->set.goal, "p80=5.2");
@@ -416,7 +416,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "tpassing 2 = 33..35\n");
 	static const char *const AWAY[] = {"l", "\033", "073.1\n"};
 	t->aside = false;
@@ -464,7 +464,7 @@ a_goal_stays_known_until_something_else_is_asked(void **state)
 				     ":set k 0.9\n", ":params set alpha=0.5\n",
 				     ":set goal p80<5.1\n"};
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "tp80<5.2\n");
 	draw_all(t);
 	for (size_t i = 0; i < ARRAY_LEN(SAME); i++) {
@@ -504,7 +504,7 @@ a_report_that_was_closed_is_shown_again(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	type(t, "V");
 	assert_null(t->viewer.text);
@@ -534,7 +534,7 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	type(t, "c");
 	int tenths = tui_slider_position(t);
@@ -563,7 +563,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	desk_expect(stage->desk,
 	    "load data/sites/tierp.csv; bounds alpha 0..60; "
 	    "calibrate generations=3");
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "2");
 	press(t, "Down");
 	type(t, "\n\033");
@@ -598,7 +598,7 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	struct tui *t = &stage->t;
 	double limit[8];
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "tpassing 2 = 33..35, p80 > 5\n");
 	draw_all(t);
 	assert_int_equal(goal_limit_speeds(t, limit, 8), 2);
@@ -640,7 +640,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_false(t->line.active);
 	assert_true(t->bad);
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	static const char *const BAD[] = {"p80 = few", "p80=5,p50=2",
 	    "passing 2 < 140", "no such envelope", "p80=-1"};
 	for (size_t i = 0; i < ARRAY_LEN(BAD); i++) {
@@ -689,7 +689,7 @@ an_envelope_shows_what_binds(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "t\025EN 12620 0/4\n");
 	while (goal_is_pending(t))
 		goal_compute_step(t);
@@ -705,7 +705,7 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	for (int i = 0; i < 8; i++) {
 		assert_true((t->ui.quantity.kind == QUANTITY_SIZE &&
 				t->ui.quantity.x == 0.8) == (i == 0));
@@ -733,7 +733,7 @@ a_feed_that_is_set_is_the_sliders(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	double mean = t->view.shown.p50;
 	type(t, ":set feed 79\n");
@@ -757,7 +757,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 	struct tui *t = &stage->t;
 	const struct strip *strip = &t->view.strip;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	double mean = t->view.shown.p50;
 	type(t, ":set feed data/sites/bro.csv@69\n");
@@ -775,7 +775,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 		prediction_free(&p);
 		desk_expect(
 		    stage->desk, "calibrate train=69,74,79 population=200");
-		control_refresh_screen(t);
+		control_update_state(t);
 	}
 	type(t, "tp50=2.66\n");
 	draw_all(t);
@@ -795,7 +795,7 @@ a_band_is_of_the_level_that_is_set(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	const double *range = t->view.shown.range[1];
 	double width = range[1] - range[0];
@@ -813,7 +813,7 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	struct tui *t = &stage->t;
 	const struct strip *strip = &t->view.strip;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	assert_int_equal(strip->n, STRIP_POINTS);
 	for (size_t i = 0; i < strip->n; i++) {
@@ -835,7 +835,7 @@ a_point_makes_one_generation(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "f...");
 	assert_true(t->held);
 	assert_int_equal(tui_search_shown(t).n, 3);
@@ -866,7 +866,7 @@ bounds_are_typed_on_their_strip(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    "load data/sites/tierp.csv; calibrate population=100 "
 	    "generations=9");
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "2");
 	press(t, "Down");
 	press(t, "Enter");
@@ -893,7 +893,7 @@ generations_are_slow_while_the_best_gains(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
-	control_refresh_screen(t);
+	control_update_state(t);
 	assert_int_equal(t->ui.pace, PACE_AUTO);
 	type(t, "f");
 	bool slow = false, quick = false;
@@ -944,7 +944,7 @@ the_list_has_the_keys_of_other_pages(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "5");
 	t->ui.list[PAGE_SITES].at = 0;
 	type(t, "?/use a site\n");
@@ -996,7 +996,7 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 	canvas_free(screen_end_offscreen(stage->was));
 	stage->was = screen_begin_offscreen(1000, 100, CHARSET_ASCII, 0);
 	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	char *text = frame_text();
 	int row = 0, from = t->layout.strip.row,
@@ -1057,7 +1057,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "pin speed=70; use bro; calibrate");
 	t->session->hooks.confirm = says_yes;
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	/* On a terminal a goal is worked out part by part. */
 	t->aside = false;
@@ -1121,7 +1121,7 @@ the_goal_fills_the_page(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	type(t, "T");
 	assert_non_null(strstr(t->message, "no goal yet"));
 	assert_false(goal_is_viewed(t));
@@ -1145,7 +1145,7 @@ the_goal_fills_the_page(void **state)
 	free(screen);
 	t->ui.list[PAGE_PREDICT].at = 0;
 	desk_expect(stage->desk, "set goal \"fines<3, p80=5.2\"");
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	assert_float_equal(t->ui.quantity.x, 0.063e-3, 1e-9);
 	list_handle_move_key(
@@ -1249,7 +1249,7 @@ what_is_left_is_found_again(void **state)
 	struct tui *t = &stage->t;
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	view_predict_at_slider(t);
 	type(t, "xtp80<5.2\ny4");
 	t->aside = false; /* as where somebody looks */
@@ -1336,7 +1336,7 @@ long_commands_leave_the_screen_live(void **state)
 		desk_expect(stage->desk, plain);
 		double want = session_answer_number(s, name, LONG[i].field);
 		session_forget_answers(s);
-		control_refresh_screen(t);
+		control_update_state(t);
 		draw_all(t);
 		t->aside = false; /* as where somebody looks */
 		type(t, LONG[i].line);
@@ -1370,7 +1370,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	struct tui *t = &stage->t;
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
-	control_refresh_screen(t);
+	control_update_state(t);
 	t->aside = false; /* as where somebody looks */
 	t->ui.pace = PACE_FULL;
 	type(t, "f");
@@ -1701,7 +1701,7 @@ a_line_stops_no_search_unsaid(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
 	t->session->hooks.confirm = says_yes;
-	control_refresh_screen(t);
+	control_update_state(t);
 	const double best = tui_current_entry(t)->fit.misfit;
 	type(t, "f.. ");
 	static const char *const BESIDE[] = {":help\n\033", ":hlep\n", "d\033",
@@ -1740,7 +1740,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "predict speed=74");
 	t->session->hooks.confirm = says_yes;
-	control_refresh_screen(t);
+	control_update_state(t);
 	draw_all(t);
 	const double best = tui_current_entry(t)->fit.misfit;
 	/* "55" is Sites, and no speed; Enter there uses the site: the one in
@@ -1828,7 +1828,7 @@ a_word_begins_a_line(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	t->aside = false;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
 		t->clock += 5;
@@ -1851,7 +1851,7 @@ single_letters_are_keys(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	view_predict_at_slider(t);
 	t->aside = false;
 	type(t, "l");
@@ -1877,7 +1877,7 @@ f_asks_before_it_replaces_parameters(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh_screen(t);
+	control_update_state(t);
 	const struct origin *origin = t->session->entry[0].origin;
 	type(t, "f");
 	assert_string_equal(t->message, "not calibrated: the parameters stay");

@@ -188,9 +188,9 @@ text_leaves_out_columns_that_can_be_spared(void **state)
 	FREED char *wide = xcalloc(WIDE + 1, 1);
 	for (int i = 0; i < WIDE; i++)
 		wide[i] = 'w';
-	answer_column_to_spare(a, SECOND, SECOND, 2);
-	answer_column_to_spare(a, FIRST, FIRST, 1);
-	answer_column_to_spare(a, "needed", "needed", 0);
+	answer_optional_column(a, SECOND, SECOND, 2);
+	answer_optional_column(a, FIRST, FIRST, 1);
+	answer_optional_column(a, "needed", "needed", 0);
 	answer_add_cells(a, "%s %s %g", wide, wide, 1.0);
 	answer_note_column(a, SECOND, "of the second");
 	answer_note_column(a, FIRST, "of the first");

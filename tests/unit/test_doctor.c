@@ -213,8 +213,8 @@ columns_are_put_right(void **state)
 {
 	(void)state;
 	for (size_t kind = 0; kind < 5; kind++) {
-		static const enum mend_kind KIND[] = {
-		    MEND_WITH, MEND_UP, MEND_SWAP, MEND_DROP, MEND_SCALE};
+		static const enum mend_kind KIND[] = {MEND_SWAP_RUNS, MEND_UP,
+		    MEND_SWAP_FEED, MEND_DROP, MEND_SCALE};
 		struct site *site = site_of(2);
 		struct run *a = &site->run[0], *b = &site->run[2];
 		struct psd was = a->product;
@@ -318,7 +318,7 @@ a_large_slip_is_no_exchange(void **state)
 			struct outlier_findings d =
 			    outliers_find(site, NULL, 0);
 			assert_int_equal(d.n, 1);
-			assert_true(d.finding[0].mend.kind != MEND_WITH);
+			assert_true(d.finding[0].mend.kind != MEND_SWAP_RUNS);
 			assert_int_equal(d.finding[0].mend.run, 1);
 			assert_true(d.finding[0].mend.size == psd->size[i]);
 			outliers_free(&d);

@@ -119,7 +119,7 @@ a_saved_session_is_restored(void **state)
 	choose(t, "paper.tip");
 	assert_int_equal(folder->item[t->picker.list.at].kind, FOLDER_SESSION);
 	char *line =
-	    folder_open_command(&folder->item[t->picker.list.at], true);
+	    folder_command_to_open(&folder->item[t->picker.list.at], true);
 	assert_string_equal(line, "restore \"data/sessions/paper.tip\"");
 	free(line);
 	press(t, "Esc");
@@ -421,10 +421,10 @@ strange_files_are_looked_at_without_being_read(void **state)
 	assert_string_equal(list.item[3].about, "results of predict");
 	char *big = folder_preview(&list.item[0]);
 	char *empty = folder_preview(&list.item[1]);
-	char *command =
-	    folder_open_command(&(struct folder_item){.name = (char *)"a=b.csv",
-				    .path = (char *)"a=b.csv"},
-		false);
+	char *command = folder_command_to_open(
+	    &(struct folder_item){
+		.name = (char *)"a=b.csv", .path = (char *)"a=b.csv"},
+	    false);
 	static const char *const NAMES[] = {"pipe.csv", "link.csv", "empty.csv",
 	    ".hidden.csv", "a\"b.csv", "big.csv", "a.csv"};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)

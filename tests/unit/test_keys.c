@@ -85,7 +85,7 @@ the_list_has_every_name(void **state)
 		assert_true(strcspn(p, "\n") <= 40);
 	free(text);
 	assert_string_equal(
-	    keys_words(keys_find_by_code('=', PAGE_FIT)->what, false),
+	    keys_shown_text(keys_find_by_code('=', PAGE_FIT)->what, false),
 	    keys_find_by_code('=', PAGE_FIT)->what);
 	assert_int_equal(
 	    keys_listed_at(PAGE_FIT, "CALIBRATE, or", 0)->code, 'f');

@@ -220,7 +220,7 @@ a_doubtful_cell_is_marked_and_mended_by_a_key(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(stage->desk, "mend product@74 sieve=1 value=15.82");
 	desk_expect(stage->desk, "calibrate");
-	control_refresh_screen(t);
+	control_update_state(t);
 	press(t, "3");
 	const char *row = row_of(stage, 9);
 	assert_non_null(strstr(row, "15.82!"));
@@ -272,7 +272,7 @@ parity_has_the_statistics_of_validate(void **state)
 	assert_non_null(strstr(row_of(stage, 6), "no loaded site has"));
 	desk_expect(stage->desk, "calibrate all");
 	desk_expect(stage->desk, "validate all");
-	control_refresh_screen(t);
+	control_update_state(t);
 	press(t, "4");
 	assert_int_equal(t->view.parity.runs.n, 3);
 	const struct session *s = t->session;
@@ -325,7 +325,7 @@ one_run_has_a_mark_for_each_size(void **state)
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_refresh_screen(t);
+	control_update_state(t);
 	press(t, "4");
 	assert_int_equal(t->view.parity.runs.n, 1);
 	size_t n = 0;
@@ -354,7 +354,7 @@ small_screens_say_all_or_that_they_cut(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "use tierp; calibrate generations=20 population=100");
-	control_refresh_screen(t);
+	control_update_state(t);
 	resize(stage, 12, 40);
 	press(t, "1");
 	assert_non_null(strstr(row_of(stage, 11), "? keys"));
@@ -388,12 +388,12 @@ an_extrapolated_size_says_so(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_refresh_screen(t);
+	control_update_state(t);
 	t->ui.speed = 84;
 	press(t, "5 g");
 	assert_true(frame_has(stage, 24, "? extrapolated: 84.0 m/s"));
 	t->ui.speed = 74;
-	control_refresh_screen(t);
+	control_update_state(t);
 	press(t, "5");
 	assert_false(frame_has(stage, 24, "? extrapolated:"));
 }
@@ -407,7 +407,7 @@ the_sieve_asked_about_has_a_row(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_refresh_screen(t);
+	control_update_state(t);
 	resize(stage, 30, 100);
 	press(t, "1");
 	for (size_t i = 1; i < 4; i++) {

@@ -444,7 +444,7 @@ all_runs_are_drawn(void **state)
 	size_t marks = 0;
 	for (size_t i = 0; i < c->n; i++)
 		marks += c->series[i]->line == CHART_MARKS;
-	assert_int_equal(marks, SITE_CHART_RUNS);
+	assert_int_equal(marks, SITE_CHART_SPEEDS);
 	bool said = false;
 	for (size_t i = 0; i < c->n_note; i++)
 		said = said ||

@@ -327,7 +327,7 @@ errors_of_speeds_widen_the_band(void **state)
 	p->speed_sd = 0.01;
 	e = ensemble_new(p, feed, feed->size, feed->n);
 	double with = width_of_band(e, 72, SIEVE, stated);
-	double effect = ensemble_effect_of_speed_errors(p);
+	double effect = ensemble_speed_error_factor(p);
 	assert_true(effect > 1.1 && effect < 1.3);
 	double moved = 1.2816 * effect * (faster[SIEVE] - slower[SIEVE]);
 	print_message("width %g, with errors of speeds %g, these alone %g\n",
@@ -781,7 +781,7 @@ faster_is_never_coarser_where_speeds_err(void **state)
 	}
 	expect_near("fall", most, 0, 1e-12);
 	for (size_t j = 0; j < ARRAY_LEN(speed); j++) {
-		double off = 2.9 * 0.05 * ensemble_effect_of_speed_errors(p);
+		double off = 2.9 * 0.05 * ensemble_speed_error_factor(p);
 		read_rows(e, speed[j], &row[0]);
 		read_rows(exact, speed[j] * (1 - off), &slow[0]);
 		read_rows(exact, speed[j] * (1 + off), &slow[1]);

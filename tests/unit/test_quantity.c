@@ -58,17 +58,17 @@ quantities_say_how_they_change_with_fineness(void **state)
 {
 	(void)state;
 	struct quantity q = {.kind = QUANTITY_PASSING, .x = 4e-3};
-	assert_int_equal(quantity_change_if_finer(&q), 1);
+	assert_int_equal(quantity_sign_if_finer(&q), 1);
 	q = (struct quantity){.kind = QUANTITY_SIZE, .x = 0.8};
-	assert_int_equal(quantity_change_if_finer(&q), -1);
+	assert_int_equal(quantity_sign_if_finer(&q), -1);
 	q.fraction = (struct fraction){0, 4e-3, PARTITION_IDEAL};
-	assert_int_equal(quantity_change_if_finer(&q), 0);
+	assert_int_equal(quantity_sign_if_finer(&q), 0);
 	q.kind = QUANTITY_SHARE;
-	assert_int_equal(quantity_change_if_finer(&q), 1);
+	assert_int_equal(quantity_sign_if_finer(&q), 1);
 	q.fraction.fine = 2e-3;
-	assert_int_equal(quantity_change_if_finer(&q), 0);
+	assert_int_equal(quantity_sign_if_finer(&q), 0);
 	q.fraction.coarse = 0;
-	assert_int_equal(quantity_change_if_finer(&q), 0);
+	assert_int_equal(quantity_sign_if_finer(&q), 0);
 }
 
 /* Between 8 and 4, 4 and 1, 1 and 0.5 mm: 0.2, 0.4, 0.2. */

@@ -62,12 +62,12 @@ a_column_and_its_value_agree(void **state)
 		assert_int_equal(
 		    slider_position_at_column(ALL, c, WIDTH), SLIDER_LEAST + c);
 		assert_int_equal(
-		    slider_column_of_value(ALL, SLIDER_LEAST + c, WIDTH), c);
+		    slider_column_of_position(ALL, SLIDER_LEAST + c, WIDTH), c);
 	}
 	for (int width = 2; width < 300; width++)
 		for (int c = 0; c < width; c++)
 			if (width <= WIDTH)
-				assert_int_equal(slider_column_of_value(ALL,
+				assert_int_equal(slider_column_of_position(ALL,
 						     slider_position_at_column(
 							 ALL, c, width),
 						     width),

@@ -334,7 +334,7 @@ show_sampling_advice(
 {
 	const struct entry *entry = w->question->entry;
 	if (posterior_for_answers(s, entry, &entry->params) == NULL)
-		return band_error_none(s, entry, error);
+		return band_error_missing(s, entry, error);
 	if (!find_band_of_quantity(s, w))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"

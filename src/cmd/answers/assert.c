@@ -12,7 +12,7 @@
 #include "cmd/session/files.h"
 #include "cmd/lang/table.h"
 
-const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
+const struct asserted ASSERTED_NAMES[ANSWERS_ASSERTED] = {
     {"p20", "predict", "p20_mm"}, {"p50", "predict", "p50_mm"},
     {"p80", "predict", "p80_mm"}, {"break", "predict", "break_mm"},
     {"speed", "predict find", "speed"}, {"misfit", "calibrate", "misfit"},
@@ -41,13 +41,13 @@ find_asserted_text(const struct session *s, const char *word)
 				     s, command->name, strchr(word, '.') + 1);
 }
 
-/* Finds the value of a name in ANSWERS_NAMES or of a field written as
+/* Finds the value of a name in ASSERTED_NAMES or of a field written as
  * COMMAND.FIELD.  Returns false if the word is neither. */
 static bool
 find_asserted_value(const struct session *s, const char *word, double *value)
 {
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++) {
-		const struct asserted *a = &ANSWERS_NAMES[i];
+		const struct asserted *a = &ASSERTED_NAMES[i];
 		if (strcmp(word, a->name) != 0)
 			continue;
 		*value = session_answer_number(s, a->from, a->path);

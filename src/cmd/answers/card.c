@@ -114,7 +114,7 @@ parse_plant_if_asked(struct session *s, struct card_request *all,
 	const void *const with_feed[] = {&args->fractions, &args->recycle,
 	    &args->power, &args->prices, &args->kwh};
 	if (args->tph > 0 || args->circuit != NULL)
-		return plant_parse_options(
+		return plant_from_args(
 		    s, args, all->question, &all->plant, error);
 	for (size_t i = 0; i < ARRAY_LEN(with_feed); i++)
 		if (args_is_given(args, with_feed[i]))
@@ -241,7 +241,7 @@ put_card_cell(struct card_table *page, const char *key, const char *head,
 		else
 			answer_resume_table_for_people(r);
 		if (page->row == 0)
-			answer_column_to_spare(r, name, name, spare);
+			answer_optional_column(r, name, name, spare);
 		if (word != NULL)
 			answer_text(r, "%s", word);
 		else
@@ -685,7 +685,7 @@ note_best_trust_light(struct answer *r, const struct session *s,
 		    (alike && !row[i].beyond && row[best].beyond))
 			best = i;
 	}
-	answers_note_basis_of_side(s, r, q, 0, NULL, worst);
+	answers_note_basis_no_light(s, r, q, 0, NULL, worst);
 	if (n > 0 && row[best].light != LIGHT_GREEN) {
 		FREED char *said = trust_in_words_at_speed(
 		    s, q->entry, row[best].speed, q->feed);

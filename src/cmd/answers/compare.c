@@ -294,7 +294,7 @@ show_basis_of_both_sides(
 		    s, side[i].entry, side[i].p.feed_run);
 		const char *whose = feeds ? side[i].words : NULL;
 		if (i == 0 || two)
-			answers_note_basis_of_side(s, r, &q, 0, whose, &light);
+			answers_note_basis_no_light(s, r, &q, 0, whose, &light);
 		else if (feeds)
 			feed_note_in_answer(r, q.entry->site, q.feed, whose, 0);
 	}

@@ -65,7 +65,7 @@ midpoint_of_coarsest_class(
 }
 
 static void
-say_sign_of_eq3(
+say_effect_of_sign(
     struct answer *r, const struct equation_example *w, double speed)
 {
 	double coarse = midpoint_of_coarsest_class(w, speed, true),
@@ -194,7 +194,7 @@ say_effect_of_literal_appearance(
  * as printed than *best, and sets *best to the best of them.  Returns the
  * smallest value. */
 static double
-best_params_of_printed_eq5(const struct equation_example *w, struct misfit *low,
+minimise_printed_eq5(const struct equation_example *w, struct misfit *low,
     struct misfit *high, struct params *best)
 {
 	enum { STEPS = 8 };
@@ -231,7 +231,7 @@ say_effect_of_printed_eq5_minus(
 	struct params best = *w->p;
 	double own =
 	    misfit_of_params(m[1], &best) - misfit_of_params(m[0], &best);
-	double least = best_params_of_printed_eq5(w, m[0], m[1], &best);
+	double least = minimise_printed_eq5(w, m[0], m[1], &best);
 	double off[2];
 	for (size_t i = 0; i < 2; i++)
 		off[i] = 100 * misfit_rmse(m[i], &best);
@@ -269,7 +269,7 @@ find_slowest_and_fastest_run(struct equation_example *w)
 /* Shows the effect of each departure at the site in use, if it has parameters
  * of the paper's model. */
 static void
-work_out_equations_for_site(struct answer *r, const struct session *s)
+say_departure_effects(struct answer *r, const struct session *s)
 {
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -287,7 +287,7 @@ work_out_equations_for_site(struct answer *r, const struct session *s)
 	}
 	w.site = entry->site;
 	w.p = &entry->params;
-	say_sign_of_eq3(r, &w, answers_default_speed(entry));
+	say_effect_of_sign(r, &w, answers_default_speed(entry));
 	if (!find_slowest_and_fastest_run(&w))
 		return;
 	say_effect_of_millimetres(r, &w);
@@ -341,7 +341,7 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 	}
 	answer_put_rows_as_objects(r, "equations");
 	fields_put_values(answer_fields(r), "what %s", "equations");
-	work_out_equations_for_site(r, s);
+	say_departure_effects(r, s);
 	answer_note(r, "'man model' lists the departures D1, D2 ..");
 	return session_show_answer(s, r);
 }

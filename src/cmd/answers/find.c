@@ -89,7 +89,7 @@ parse_goal_operand(const char *text, const struct fraction *fraction,
 
 /* Refuses conditions without a goal, and proposes window, or a maximum. */
 static bool
-refuse_conditions_without_goal(const struct args *args,
+error_conditions_without_goal(const struct args *args,
     const struct find_request *goal, struct error *error)
 {
 	FREED char *all = xstrdup("");
@@ -117,7 +117,7 @@ check_single_goal(const struct args *args, const struct find_request *goal,
     struct error *error)
 {
 	if (goal->n == 0 && goal->others.n > 0)
-		return refuse_conditions_without_goal(args, goal, error);
+		return error_conditions_without_goal(args, goal, error);
 	if (goal->n != 1)
 		error_set(error, ERROR_USAGE,
 		    "find: expected one of p20, p50, p80, passing, spec and a "
@@ -455,7 +455,7 @@ note_best_certain_speed(struct answer *r, const struct find_request *goal)
 }
 
 static void
-note_if_condition_holds(
+note_verdict_on_condition(
     struct answer *r, const struct find_request *goal, size_t i)
 {
 	const struct condition *c = &goal->wanted.at[i];
@@ -475,12 +475,12 @@ note_if_condition_holds(
 /* Notes whether each condition holds at the speed found, and with what
  * certainty they all do. */
 static void
-note_if_conditions_hold(struct answer *r, const struct find_request *goal)
+note_verdict_on_all(struct answer *r, const struct find_request *goal)
 {
 	double v = goal->speed;
 	forecast_set_speed(goal->wanted.forecast, v);
 	for (size_t i = 0; i < goal->wanted.n; i++)
-		note_if_condition_holds(r, goal, i);
+		note_verdict_on_condition(r, goal, i);
 	double certain = conditions_probability(&goal->wanted);
 	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
 	if (isnan(certain))
@@ -539,7 +539,7 @@ note_goal_unattainable(
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct conditions_search *c = &goal->wanted;
-	int rises = quantity_change_if_finer(q);
+	int rises = quantity_sign_if_finer(q);
 	double high = target_value_at_speed(goal, c->to),
 	       low = target_value_at_speed(goal, c->from);
 	double over =
@@ -590,7 +590,7 @@ note_search_result(struct answer *r, const struct session *s,
 		note_value_at_nearest_measured(r, goal, goal->speed);
 	}
 	if (found && goal->wanted.n > 0)
-		note_if_conditions_hold(r, goal);
+		note_verdict_on_all(r, goal);
 	conditions_note_source_of_limits(r, &goal->others);
 }
 
@@ -618,7 +618,7 @@ show_basis_at_speed_found(
 	bool found = !isnan(goal->speed);
 	double shown = found ? goal->speed : speed_nearest_to_goal(goal);
 	struct trust light = trust_at_speed(s, q->entry, shown, q->feed);
-	answers_note_basis_of_side(s, r, q, found ? shown : 0, NULL, &light);
+	answers_note_basis_no_light(s, r, q, found ? shown : 0, NULL, &light);
 	trust_show_with_speed(r, q->entry->site, found ? 0 : shown, light);
 	return shown;
 }
@@ -769,7 +769,7 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 }
 
 static void
-find_and_show_goal_speed(const struct session *s, struct find_request *goal)
+find_goal_speed(const struct session *s, struct find_request *goal)
 {
 	double from = goal->wanted.from, to = goal->wanted.to;
 	goal->wanted = conditions_open_search(
@@ -799,7 +799,7 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
 	bool ok = screened_check_feed_covers(q, error) &&
 		  parse_goal(s, args, &goal, error);
 	if (ok) {
-		find_and_show_goal_speed(s, &goal);
+		find_goal_speed(s, &goal);
 		show_product_at_goal_speed(s, &goal);
 		speed_search_free(goal.search);
 		forecast_close(goal.wanted.forecast);

@@ -223,7 +223,7 @@ note_guessed_sizes(struct answer *r, const struct guess *guess)
 
 /* Lists the names of the materials that were picked or, if `left`, left out. */
 static char *
-guess_material_names(const struct guess_sources *b, bool left)
+list_material_names(const struct guess_sources *b, bool left)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
@@ -242,7 +242,7 @@ note_picked_materials(struct answer *r, const struct guess_sources *b)
 	for (size_t i = 0; i < b->n; i++)
 		same += text_same_folded(
 		    b->list.item[b->pick[i]].rock, b->wanted.rock);
-	FREED char *picked = guess_material_names(b, false);
+	FREED char *picked = list_material_names(b, false);
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
 		    r, "nearest by top size (no rock type stated): %s", picked);
@@ -325,7 +325,7 @@ note_basis_of_guess(struct answer *r, const struct guess_sources *b)
 		answer_say(r, ANSWER_WARNING,
 		    "some of these materials were not calibrated on measured "
 		    "data");
-	FREED char *left = guess_material_names(b, true);
+	FREED char *left = list_material_names(b, true);
 	if (left[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "left out because they are this site's own: %s", left);

@@ -40,7 +40,7 @@ struct findings {
 };
 
 static void
-find_speeds_measured(struct findings *f, const struct site *site)
+find_measured_speeds(struct findings *f, const struct site *site)
 {
 	f->finest = INFINITY;
 	f->speed = xcalloc_doubles(site->n_run);
@@ -62,7 +62,7 @@ find_what_data_determine(const struct posterior *p, const struct site *site)
 	    .of = BREAKAGES[p->settings.breakage],
 	    .rotor = site_run_rotor_diameter(site)};
 	size_t threshold = breakage_parameter_index(f.of, "e0_min");
-	find_speeds_measured(&f, site);
+	find_measured_speeds(&f, site);
 	f.at = xcalloc(f.n_speed + 1, sizeof *f.at);
 	for (size_t i = 0; i < f.n_speed; i++)
 		f.at[i] =
@@ -285,7 +285,7 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "there are no draws to judge the parameters by (%s)\nrun "
 		    "'calibrate' first",
-		    band_why_none(s, entry));
+		    band_why_missing(s, entry));
 	struct findings f = find_what_data_determine(p, entry->site);
 	struct answer *r = answer_about_site(
 	    entry->site, "identify", "what the data determine");

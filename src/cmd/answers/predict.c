@@ -162,7 +162,8 @@ static const double SHOWN_PASSING = 5e-4;
 /* True if at sieve i the answer, or the low end of its band, comes down to the
  * passing of the feed. */
 static bool
-is_held_at_feed(const struct question *q, const struct prediction *p, size_t i)
+is_limited_by_feed(
+    const struct question *q, const struct prediction *p, size_t i)
 {
 	double fed = psd_passing_at_sieve(question_feed(q), p->product.size[i]);
 	double least = p->low != NULL ? p->low[i] : p->product.passing[i];
@@ -284,7 +285,7 @@ list_measured_below_feed(const struct session *s, const struct question *q,
 		for (size_t k = 0; k < n; k++) {
 			double x = p->product.size[i];
 			double own = psd_passing_at_sieve(&part[k], x);
-			if (is_held_at_feed(q, p, i) &&
+			if (is_limited_by_feed(q, p, i) &&
 			    own < p->low[i] - SHOWN_PASSING && found++ < MOST)
 				xappend_to_list(&list, ", ",
 				    tr("%.1f %% at %g mm"), units_pct(own),
@@ -313,7 +314,7 @@ note_sieves_limited_by_feed(struct answer *r, const struct session *s,
 			least = fmin(least,
 			    psd_passing_at_sieve(&site->run[k].product, x) -
 				psd_passing_at_sieve(&site->run[k].feed, x));
-		if (is_held_at_feed(q, p, i) && least < -SHOWN_PASSING)
+		if (is_limited_by_feed(q, p, i) && least < -SHOWN_PASSING)
 			xappend_to_list(&list, ", ", "%g", units_mm(x));
 	}
 	if (list[0] == '\0' || fraction_is_screened(&p->fraction))
@@ -595,7 +596,7 @@ draw_prediction_curves(struct session *s, const struct question *q,
 /* Sets *params to the site's parameters or, during its calibration, to the best
  * so far. */
 static bool
-params_to_predict_with(const struct session *s, const struct entry *entry,
+find_params_to_predict(const struct session *s, const struct entry *entry,
     struct params *params, struct error *error)
 {
 	*params = entry->params;
@@ -609,7 +610,7 @@ predict_for_slider(struct session *s, const struct entry *entry, double speed,
     struct error *error)
 {
 	struct params params;
-	if (!params_to_predict_with(s, entry, &params, error))
+	if (!find_params_to_predict(s, entry, &params, error))
 		return false;
 	struct question q = question_of_whole_product(s, entry, feed_run);
 	q.params = &params;
@@ -626,7 +627,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	struct params params;
 	question_use_last_speed(s, q);
-	if (!params_to_predict_with(s, entry, &params, error))
+	if (!find_params_to_predict(s, entry, &params, error))
 		return false;
 	if (args->interpolated && fraction_is_screened(&q->fraction))
 		return error_set(error, ERROR_USAGE,
@@ -643,7 +644,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct answer *r = build_prediction_with_notes(
 	    s, &at, &p, args->interpolated, args->detail);
 	if (args_is_given(args, &args->band) && args->band && p.low == NULL)
-		answer_note(r, "%s", band_why_none(s, entry));
+		answer_note(r, "%s", band_why_missing(s, entry));
 	bool picture = plot_is_image_wanted(s) && s->document == NULL;
 	bool curve = args->curve && s->set.format == ANSWER_TABLE;
 	if (picture)

@@ -93,7 +93,7 @@ static const struct section {
 
 /* True if the section needs parameters and lacks nothing else. */
 static bool
-lacks_section_only_params(const struct report_request *ask, enum need need)
+lacks_at_most_params(const struct report_request *ask, enum need need)
 {
 	return need == NEED_PARAMS ||
 	       (need == NEED_CONDITIONS && ask->list.n > 0) ||
@@ -112,8 +112,7 @@ has_what_section_needs(
 	case NEED_PARAMS:
 	case NEED_CONDITIONS:
 	case NEED_TPH:
-		return entry->has_params &&
-		       lacks_section_only_params(ask, need);
+		return entry->has_params && lacks_at_most_params(ask, need);
 	case NEED_FIT:
 		return entry->has_params && origin_source_fit(entry) != NULL;
 	case NEED_NONE:
@@ -313,7 +312,7 @@ write_list_of_missing_sections(
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
 		if (row->heading == NULL ||
-		    !lacks_section_only_params(ask, row->need))
+		    !lacks_at_most_params(ask, row->need))
 			continue;
 		FREED char *heading =
 		    fill_in_placeholders(tr(row->heading), ask);

@@ -8,7 +8,7 @@
 	    "rotor tip speed; default: that last asked about, with its feed"
 
 /* The options of a crusher with its screens, which flow and card share; see
- * plant_parse_options. */
+ * plant_from_args. */
 #define FLOW_PARTS                                                          \
 	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                       \
 	    "fractions of the product, mm"},                                \
@@ -41,7 +41,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {OFF_ON(detail), "off",
 		"on: show the model alone, specific energy and break size "
 		"too"}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
 	    SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "Needs parameters: run calibrate or params set first. Outside the "
@@ -186,7 +186,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {TEXT(of), NULL, "",
 		"figures, with commas between: P80, passing 2, "
 		"fm EN, 0/4, P50 of 0/4"}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
 	    "Does the same as predict with the names of figures, predict 72 "
@@ -261,7 +261,7 @@ const struct command TABLE_ANSWERS[] = {
 			  "to cover the runs"},
 	    {SPEED(to), "fastest speed of best=on; default 85, or more to "
 			"cover the runs"}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SCREENS},
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_SCREENS},
 	.text =
 	    "Shows the tonnes per hour of each fraction into which screens "
 	    "divide the product of a new feed, in steady state. Fractions of "
@@ -333,7 +333,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {"use list off SPEC FILE", "SPEC FILE", ""}, 0, 12},
 	.flags = COMMAND_CHANGES | COMMAND_SPEC,
 	.option = OPTION_LIST({LAST_OR_USUAL_SPEED}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
 	    "'spec use NAME' chooses an envelope for the session: spec and "
@@ -377,7 +377,7 @@ const struct command TABLE_ANSWERS[] = {
 		"standard deviation of stated tip speeds: slip, worn tips, "
 		"rounding; 0: exact"},
 	    {WHOLE(n), "", 1, 256, NULL, "200", "how many draws to write"}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
 	    SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "Shows what passes 2 mm, P20, P50 and P80 at a speed, or the "
@@ -406,7 +406,7 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST({LAST_SPEED},
 	    {TEXT(of), NULL, "", "figure, see figures; default: P80"}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
 	    "For a repeat at each measured speed, and a sample at each round "
@@ -459,7 +459,7 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS,
 	.bare = "speed",
 	.option = OPTION_LIST({LAST_SPEED}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
 	    "Explains the site in use at a speed in sentences: what breaks, "
@@ -514,7 +514,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "",
 		"new feed, for a section with its flow"},
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
 	    "Write it with > FILE.html, for a browser, or > FILE.pdf, for "

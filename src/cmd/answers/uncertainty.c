@@ -312,7 +312,7 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 {
 	const double step = 0.005;
 	double sd = p->speed_sd;
-	double times = ensemble_effect_of_speed_errors(p),
+	double times = ensemble_speed_error_factor(p),
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];
@@ -447,7 +447,7 @@ show_uncertainty(struct session *s, const struct args *args,
 	struct prediction at = forecast_product(s, q, q->speed);
 	if (at.low == NULL) {
 		prediction_free(&at);
-		return band_error_none(s, q->entry, error);
+		return band_error_missing(s, q->entry, error);
 	}
 	struct answer *r =
 	    draws ? build_draws_answer(s, q,

@@ -230,7 +230,7 @@ say_trust_reason(const struct explained *a, const struct trust *t, size_t i)
 
 /* If the light is green, says so first, and why. */
 static void
-say_trust_is_green(const struct explained *a, const struct trust *t)
+say_if_trust_is_green(const struct explained *a, const struct trust *t)
 {
 	const struct evidence *e = evidence_on_calibration(a->s, a->entry);
 	if (t->n > 0)
@@ -640,7 +640,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	fields_put_values(answer_fields(a.answer), "speed %g", v);
 	bool breaks = !fit_nothing_breaks(entry_without_scenario(entry));
 	answers_warn_if_nothing_breaks(a.answer, entry);
-	say_trust_is_green(&a, &trust);
+	say_if_trust_is_green(&a, &trust);
 	if (breaks) {
 		say_what_breaks(&a);
 		say_if_little_breaks(&a);
@@ -654,7 +654,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	if (breaks)
 		say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
 	say_data_provenance(&a);
-	feed_note_other_top_size(a.answer, entry->site);
+	feed_note_how_to_set_top_size(a.answer, entry->site);
 	feed_note_in_answer(a.answer, entry->site, q->feed, NULL, 0);
 	if (breaks && a.p.low != NULL)
 		answer_note(a.answer,

@@ -132,7 +132,7 @@ note_margin_to_limit(struct answer *r, const struct window_request *a)
 /* True if the conditions hold at none of the site's speeds and the best speed
  * is outside the training speeds. */
 static bool
-is_window_without_run(const struct window_request *a)
+is_window_beyond_runs(const struct window_request *a)
 {
 	const struct site *site = a->wanted.entry->site;
 	const struct speed_search *w = a->w;
@@ -206,7 +206,7 @@ static void
 note_speeds_in_window(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_best_range(a->w);
-	bool no_run = is_window_without_run(a);
+	bool no_run = is_window_beyond_runs(a);
 	if (a->detail || no_run || a->w->n_inside > 1 ||
 	    !isfinite(a->w->sure[0]))
 		note_speeds_met(r, a, no_run);
@@ -293,7 +293,7 @@ note_window_result(
 		    r, &a->wanted, a->list.n > 1, a->detail, a->w);
 	}
 	if (isnan(a->w->best_certain))
-		answer_note(r, "%s", band_why_none(s, a->q->entry));
+		answer_note(r, "%s", band_why_missing(s, a->q->entry));
 }
 
 static struct answer *

@@ -224,7 +224,7 @@ list_multiples_of_step(double from, double to, const double *steps,
 }
 
 double *
-answers_speeds_at_round_rpm(
+answers_list_round_rpm_speeds(
     const struct site *site, double from, double to, size_t most, size_t *n)
 {
 	static const double STEPS[] = {5, 10, 20, 25, 50, 100, 200, 500};
@@ -246,7 +246,7 @@ answers_list_few_round_speeds(
 	static const double STEPS[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
 	double from, to;
 	settings_default_speed_range(&s->set, site, &from, &to);
-	double *speed = answers_speeds_at_round_rpm(site, from, to, MOST, n);
+	double *speed = answers_list_round_rpm_speeds(site, from, to, MOST, n);
 	return speed != NULL ? speed
 			     : list_multiples_of_step(
 				   from, to, STEPS, ARRAY_LEN(STEPS), MOST, n);
@@ -415,7 +415,7 @@ warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
 }
 
 void
-answers_note_basis_of_side(const struct session *s, struct answer *r,
+answers_note_basis_no_light(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light)
 {
@@ -435,7 +435,7 @@ answers_show_basis(const struct session *s, struct answer *r,
 {
 	if (band)
 		band_note_meaning(r, s, q->entry, true);
-	answers_note_basis_of_side(s, r, q, speed, NULL, &light);
+	answers_note_basis_no_light(s, r, q, speed, NULL, &light);
 	trust_show(r, light);
 }
 
@@ -550,7 +550,7 @@ answers_add_row_per_prediction(struct answer *r, const struct entry *entry,
 	answer_columns(r, "speed: m/s");
 	if (rotor > 0)
 		answer_columns(r, "rpm: rpm");
-	answer_column_to_spare(r, "energy_j_kg", "J/kg", 1);
+	answer_optional_column(r, "energy_j_kg", "J/kg", 1);
 	answer_columns(r, "break_mm: break mm");
 	for (size_t k = 0; k < PSD_SIZES; k++)
 		answer_column(r, ANSWERS_SIZE[k].key, ANSWERS_SIZE[k].head);

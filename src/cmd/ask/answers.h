@@ -67,7 +67,7 @@ char *answers_speed_range_words(
 
 /* Returns speeds at round rpm between two speeds, in m/s [*n]; at most `most`
  * of them.  NULL unless the site's sheet is in rpm.  The caller frees it. */
-double *answers_speeds_at_round_rpm(
+double *answers_list_round_rpm_speeds(
     const struct site *site, double from, double to, size_t most, size_t *n);
 
 /* Returns at most seven round speeds, m/s [*n], in
@@ -98,7 +98,7 @@ struct asserted {
 	const char *name, *from, *path;
 };
 enum { ANSWERS_ASSERTED = 11 };
-extern const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED];
+extern const struct asserted ASSERTED_NAMES[ANSWERS_ASSERTED];
 
 /* For each size: its key in JSON and CSV, the key of its range, and its column
  * heading.  ANSWERS_SIZE_LIST has the sizes of PSD_PASSING as
@@ -154,7 +154,7 @@ enum light answers_show_fit_basis(const struct session *s, struct answer *r,
 /* As answers_show_basis, but without band and light, for one of two products.
  * whose: the owner of the feed in words, or NULL.  light: if it warns of the
  * speed, no other warning does. */
-void answers_note_basis_of_side(const struct session *s, struct answer *r,
+void answers_note_basis_no_light(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light);
 

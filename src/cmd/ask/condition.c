@@ -717,7 +717,7 @@ conditions_note_feed_is_finer(struct answer *r,
     bool most)
 {
 	const struct quantity *q = &c->quantity;
-	int rises = quantity_change_if_finer(q);
+	int rises = quantity_sign_if_finer(q);
 	double limit = most ? c->most : c->least;
 	if (rises == 0 || most != (rises > 0))
 		return false;
@@ -888,7 +888,7 @@ conditions_show_basis(struct answer *r, const struct question *q,
 		answers_show_basis(s, r, q, speed, false, light);
 		return;
 	}
-	answers_note_basis_of_side(s, r, q, speed, NULL, &light);
+	answers_note_basis_no_light(s, r, q, speed, NULL, &light);
 	for (size_t k = 0; k < 2; k++) {
 		FREED char *words =
 		    trust_in_words_at_speed(s, q->entry, at[k], q->feed);

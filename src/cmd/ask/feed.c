@@ -122,7 +122,7 @@ feed_note_assumed_top_size(
 }
 
 void
-feed_note_other_top_size(struct answer *r, const struct site *site)
+feed_note_how_to_set_top_size(struct answer *r, const struct site *site)
 {
 	double top = site_assumed_top_size(site);
 	if (!(top > 0) || site->path[0] == '\0')

@@ -42,6 +42,6 @@ void feed_note_assumed_top_size(
 
 /* If a size is assumed that all of the feed passes, notes it and the line to
  * type for another. */
-void feed_note_other_top_size(struct answer *r, const struct site *site);
+void feed_note_how_to_set_top_size(struct answer *r, const struct site *site);
 
 #endif

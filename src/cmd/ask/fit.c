@@ -20,7 +20,7 @@ fit_nothing_breaks(const struct entry *entry)
 	const struct fit *fit = &entry->fit;
 	return entry->has_fit &&
 	       (trust_is_no_product_finer(entry->site) ||
-		   fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit);
+		   fit->misfit > (1 - FIT_LEAST_GAIN) * fit->feed_misfit);
 }
 
 bool

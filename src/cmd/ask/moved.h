@@ -17,7 +17,7 @@ struct quantity;
 struct moved;
 
 /* Moves larger than this passing, 0..1, are mentioned beside a plot. */
-#define MOVED_TOLD 0.003
+#define MOVED_MENTIONED 0.003
 
 struct moved *moved_products_new(void);
 void moved_products_free(struct moved *moved);

@@ -319,7 +319,7 @@ ensemble_for_answers(
 }
 
 const char *
-band_why_none(const struct session *s, const struct entry *entry)
+band_why_missing(const struct session *s, const struct entry *entry)
 {
 	const struct fit *fit = origin_source_fit(entry);
 	return fit == NULL ? tr("no uncertainty band: the parameters do not "
@@ -345,11 +345,12 @@ band_why_none(const struct session *s, const struct entry *entry)
 }
 
 bool
-band_error_none(
+band_error_missing(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	bool off = correction_in_use(s, entry) == CORRECTION_OFF;
-	return error_set(error, ERROR_USAGE, "%s\n%s", band_why_none(s, entry),
+	return error_set(error, ERROR_USAGE, "%s\n%s",
+	    band_why_missing(s, entry),
 	    origin_source_fit(entry) == NULL ? tr("run 'calibrate' first")
 	    : off && s->set.correction != CORRECTION_OFF
 		? tr("leave out correction=off")

@@ -87,11 +87,12 @@ struct crusher *crusher_new_for_answers(const struct session *s,
 
 /* Returns a sentence that says why there is no band.  Do not call it if there
  * is one. */
-const char *band_why_none(const struct session *s, const struct entry *entry);
+const char *band_why_missing(
+    const struct session *s, const struct entry *entry);
 
 /* Sets the error that says why there is no band, and what to do to get one.
  * Returns false. */
-bool band_error_none(
+bool band_error_missing(
     const struct session *s, const struct entry *entry, struct error *error);
 
 /* Returns which runs correct the model, in words for a heading or a title:

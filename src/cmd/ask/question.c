@@ -357,7 +357,7 @@ list_every_round_speed(
     const struct site *site, double from, double to, size_t *n)
 {
 	enum { MOST_RPM = 20 };
-	double *at = answers_speeds_at_round_rpm(site, from, to, MOST_RPM, n);
+	double *at = answers_list_round_rpm_speeds(site, from, to, MOST_RPM, n);
 	if (at != NULL)
 		return at;
 	*n = (size_t)floor(to - from) + 1;

@@ -238,12 +238,12 @@ error_cuts_not_charted(
 		    "limits from, got neither\n"
 		    "run 'calibrate', or state the error of a passing: set "
 		    "noise 0.5");
-	routine_charts_free(r);
+	control_charts_free(r);
 	return NULL;
 }
 
 struct routine *
-routine_compute_charts(const struct session *s, const struct entry *entry,
+control_charts_compute(const struct session *s, const struct entry *entry,
     const struct drift_rule *rule, struct error *error)
 {
 	struct routine *r = xcalloc(1, sizeof *r);
@@ -273,7 +273,7 @@ routine_compute_charts(const struct session *s, const struct entry *entry,
 }
 
 void
-routine_charts_free(struct routine *r)
+control_charts_free(struct routine *r)
 {
 	for (size_t j = 0; r != NULL && j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
@@ -293,7 +293,7 @@ routine_charts_free(struct routine *r)
 
 /* Returns "four times running".  The caller frees it. */
 static char *
-times_running_text(size_t n)
+times_in_a_row_text(size_t n)
 {
 	static const char *const WORDS[] = {"", N_("once"), N_("twice running"),
 	    N_("three times running"), N_("four times running"),
@@ -332,7 +332,7 @@ drift_in_words(const struct routine *r)
 	    xasprintf(tr("most at %g mm (%+.1f points on average)"),
 		units_mm(r->worst), -100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
-	FREED char *count = times_running_text(r->running);
+	FREED char *count = times_in_a_row_text(r->running);
 	return tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),
 			  tr(ROUTINE_STATE[state]), most, tr(LOOK[state]))
 		    : xasprintf(tr("%s than predicted %s, %s: %s"),
@@ -352,11 +352,11 @@ drift_alarm_in_words(const struct session *s, const struct entry *entry)
 		return NULL;
 	if (a->site != entry->site || a->posterior != p) {
 		struct routine *r =
-		    routine_compute_charts(s, entry, &DRIFT_RULE, &error);
+		    control_charts_compute(s, entry, &DRIFT_RULE, &error);
 		a->site = entry->site;
 		a->posterior = p;
 		a->state = r != NULL ? r->point[r->n - 1].state : DRIFT_NONE;
-		routine_charts_free(r);
+		control_charts_free(r);
 	}
 	if (a->state == DRIFT_NONE)
 		return NULL;

@@ -45,10 +45,10 @@ enum { ROUTINE_FEW = 5 };
 
 /* Computes the charts of an entry's cuts.  Returns NULL with an error if there
  * are no cuts or there is nothing to compute limits from. */
-struct routine *routine_compute_charts(const struct session *s,
+struct routine *control_charts_compute(const struct session *s,
     const struct entry *entry, const struct drift_rule *rule,
     struct error *error);
-void routine_charts_free(struct routine *r);
+void control_charts_free(struct routine *r);
 
 /* Returns "coarser than predicted four times running, most at 4 mm (-3.1 points
  * on average): look at ..", or that there is no drift.  The caller frees it. */

@@ -329,7 +329,7 @@ mark_steps_that_meet(const struct speed_search *s, size_t i)
 /* Finds the first and the last of the marked steps around step k, without a
  * gap. */
 static void
-find_marked_run(const bool *mark, size_t n, size_t k, size_t end[static 2])
+find_marked_span(const bool *mark, size_t n, size_t k, size_t end[static 2])
 {
 	end[0] = end[1] = k;
 	while (end[0] > 0 && mark[end[0] - 1])
@@ -426,7 +426,7 @@ find_speed_intervals(
 		if (met[k]) {
 			/* For k = 0, k - 1 wraps round to a step beyond the
 			 * last, which has no limit. */
-			find_marked_run(met, s->n, k, run);
+			find_marked_span(met, s->n, k, run);
 			add_speed_interval(s, s->speed[k], s->speed[run[1]],
 			    k - 1, run[1] + 1);
 			k = run[1];
@@ -552,7 +552,7 @@ find_interval_of_condition(
 	ends[0] = ends[1] = NAN;
 	if (near == SIZE_MAX)
 		return;
-	find_marked_run(met, s->n, near, run);
+	find_marked_span(met, s->n, near, run);
 	if (run[0] > 0)
 		ends[0] = s->speed[run[0]];
 	if (run[1] + 1 < s->n)
@@ -574,7 +574,7 @@ find_certain_interval(struct speed_search *s, double level)
 			at = k;
 	if (!sure[at])
 		return;
-	find_marked_run(sure, s->n, at, run);
+	find_marked_span(sure, s->n, at, run);
 	s->sure[0] = s->speed[run[0]];
 	s->sure[1] = s->speed[run[1]];
 }

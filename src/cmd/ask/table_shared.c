@@ -4,7 +4,7 @@
 #include "cmd/lang/rows.h"
 #include "core/psd/site.h"
 
-const struct command_option SHARED_TURNS[] = {
+const struct command_option SHARED_RPM[] = {
     {NUMBER(rpm), "rpm", 1, 20000, NULL, "",
 	"rotor speed in rpm, instead of a tip speed"},
     {.name = NULL}};

@@ -189,7 +189,7 @@ document_column_width(const struct answer_view *v, size_t column)
 }
 
 bool
-document_columns_that_fit(
+document_find_next_columns(
     const struct answer_view *v, bool all, size_t *from, size_t *to)
 {
 	enum { WIDEST = 120, GAP = 2 };

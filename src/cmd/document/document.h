@@ -74,7 +74,7 @@ char *document_part_counts_text(const struct document *document);
 /* Finds the next columns of a table that fit on a page beside the first column:
  * from *from up to but not including *to, which is 0 before the first call.
  * Returns false if no columns are left.  all: take all, however wide. */
-bool document_columns_that_fit(
+bool document_find_next_columns(
     const struct answer_view *view, bool all, size_t *from, size_t *to);
 
 /* True if the column contains only numbers, which are right-aligned. */

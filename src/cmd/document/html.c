@@ -123,7 +123,7 @@ html_put_answer(const struct document *d, size_t i, FILE *out)
 	}
 	html_put_sentences(&v, true, out);
 	for (size_t from, to = 0;
-	     document_columns_that_fit(&v, d->one_page, &from, &to);)
+	     document_find_next_columns(&v, d->one_page, &from, &to);)
 		html_put_table(&v, from, to, out);
 	html_put_sentences(&v, false, out);
 }

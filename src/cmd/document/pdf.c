@@ -95,7 +95,7 @@ pdf_move_down(struct pdf_layout *p, double points)
 /* Returns how many bytes of the text fit on a line: whole words or, if not even
  * one fits, part of a word. */
 static size_t
-bytes_of_next_line(struct pdf_layout *p, const char *text, double width,
+next_line_length(struct pdf_layout *p, const char *text, double width,
     const struct pen_style *style)
 {
 	size_t fits = 0;
@@ -130,7 +130,7 @@ break_into_lines(struct pdf_layout *p, const char *words, double width,
 	do {
 		size_t n = p->pen->width(p->pen, text, style) <= width
 			       ? strlen(text)
-			       : bytes_of_next_line(p, text, width, style);
+			       : next_line_length(p, text, width, style);
 		lines.line =
 		    xrealloc(lines.line, lines.n + 1, sizeof *lines.line);
 		lines.line[lines.n++] = xstrndup(text, n);
@@ -344,7 +344,7 @@ pdf_put_table(struct pdf_layout *p, const struct answer_view *v)
 	    .width = xcalloc_doubles(v->n_column + 1)};
 	bool all = p->document->one_page;
 	for (size_t from, to = 0;
-	     document_columns_that_fit(v, all, &from, &to);) {
+	     document_find_next_columns(v, all, &from, &to);) {
 		g.n = 0;
 		g.size = 8.5;
 		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)

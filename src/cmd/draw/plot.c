@@ -513,7 +513,7 @@ describe_curve(
 /* Gives the coordinates of the points of a series: of all, or of the first
  * FEW. */
 static void
-describe_map_points(struct answer *r, const struct chart_series *s)
+describe_points(struct answer *r, const struct chart_series *s)
 {
 	enum { FEW = 6 };
 	size_t shown = 0;
@@ -605,7 +605,7 @@ describe_series(struct answer *r, const struct chart *c)
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
 		if (s->line == CHART_MARKS && !s->psd)
-			describe_map_points(r, s);
+			describe_points(r, s);
 		else if (s->series != SERIES_TEXT)
 			describe_curve(r, c, s);
 	}

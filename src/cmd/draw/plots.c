@@ -103,7 +103,8 @@ residuals_chart(
 	struct chart *chart = site_chart(site, (struct axis){0},
 	    (struct axis){0}, "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
-		if (!site_run_is_near_speed(site, i, middle, SITE_CHART_RUNS) ||
+		if (!site_run_is_near_speed(
+			site, i, middle, SITE_CHART_SPEEDS) ||
 		    misfit_count_covered_sieves(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =

@@ -26,7 +26,7 @@ posterior_or_error(
 		error_set(error, ERROR_USAGE,
 		    "there are no draws to plot (%s)\n"
 		    "run 'calibrate' first",
-		    band_why_none(s, entry));
+		    band_why_missing(s, entry));
 	return p;
 }
 

@@ -60,7 +60,7 @@ plots_control_charts(
 	if (!answers_require_params(s, entry, error))
 		return NULL;
 	struct routine *r =
-	    routine_compute_charts(s, entry, &DRIFT_RULE, error);
+	    control_charts_compute(s, entry, &DRIFT_RULE, error);
 	if (r == NULL)
 		return NULL;
 	double low = -1.2, high = 1.2, last = (double)r->n + 1;
@@ -97,6 +97,6 @@ plots_control_charts(
 		chart_add_rule(chart, SERIES_BREAK, (double)(r->since + 1),
 		    "began at about cut %zu", r->since + 1);
 	note_drift_state(chart, r);
-	routine_charts_free(r);
+	control_charts_free(r);
 	return chart;
 }

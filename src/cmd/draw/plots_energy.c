@@ -12,7 +12,7 @@
 #include "core/model/breakage.h"
 
 /* This many bins are drawn as one, which spans half an octave. */
-enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };
+enum { BINS_PER_POINT = 8, POINTS = SPECTRUM_BINS / BINS_PER_POINT };
 
 static const char *
 origin_of_energies(const struct energies *e)
@@ -42,10 +42,12 @@ fill_impact_energy_series(struct chart_series *series, const struct energies *e,
 	chart_add_point_names(series);
 	for (size_t i = 0; i < POINTS; i++) {
 		double sum = 0;
-		for (size_t b = i * TOGETHER; b < (i + 1) * TOGETHER; b++)
+		for (size_t b = i * BINS_PER_POINT;
+		     b < (i + 1) * BINS_PER_POINT; b++)
 			sum +=
 			    first ? whole->first[b].mass : whole->all[b].mass;
-		series->x[i] = spectrum_bin_edge(i * TOGETHER + TOGETHER / 2);
+		series->x[i] =
+		    spectrum_bin_edge(i * BINS_PER_POINT + BINS_PER_POINT / 2);
 		series->y[i] = sum / per;
 		series->whose[i].about = xstrdup(origin_of_energies(e));
 	}

@@ -12,7 +12,7 @@
 #include "core/model/breakage.h"
 
 /* If there are more materials than this, their names are not drawn. */
-enum { NAMED = 60 };
+enum { MOST_NAMED = 60 };
 
 /* Adds the point of a material; takes ownership of the strings. */
 static void
@@ -43,9 +43,9 @@ add_points_of_rock(
 {
 	struct chart_series look = site_chart_series_style(chart->n);
 	look.line = CHART_MARKS;
-	struct chart_series *series =
-	    add_empty_material_series(chart, look, list->n, list->n <= NAMED,
-		rock[0] != '\0' ? rock : tr("not stated"));
+	struct chart_series *series = add_empty_material_series(chart, look,
+	    list->n, list->n <= MOST_NAMED,
+	    rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
 		const struct material *m = &list->item[i];
 		if (text_same_folded(m->rock, rock))
@@ -92,7 +92,7 @@ add_loaded_sites_to_map(
 			series = add_empty_material_series(chart,
 			    (struct chart_series){.series = SERIES_PREDICTED,
 				.mark = bound ? 'X' : '#'},
-			    s->n_entry, s->n_entry <= NAMED,
+			    s->n_entry, s->n_entry <= MOST_NAMED,
 			    bound ? tr("loaded, a parameter at its bound")
 				  : tr("loaded sites"));
 		add_material_point(series, &entry->params, xstrdup(entry->key),

@@ -250,14 +250,14 @@ add_difference_strip(struct chart *chart, int rows)
 
 /* A function that reads a curve: chart_y_at at a size or chart_x_at at a
  * passing. */
-typedef double reading(
+typedef double curve_reader(
     const struct chart *, const struct chart_series *, double);
 
 /* Appends " feed 16.0 %" to a note, " predicted 33.1 % (31.6 to 34.5)" if the
  * curve has a band there, or " feed -" if it has no value. */
 static void
 append_curve_value(char **note, const struct chart *chart,
-    const struct chart_series *s, reading *read, double at,
+    const struct chart_series *s, curve_reader *read, double at,
     const struct figure *band)
 {
 	int digits = read == chart_y_at ? 1 : 2;
@@ -391,7 +391,7 @@ shade_prediction_band(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *p)
 {
 	if (p->low == NULL) {
-		chart_note(chart, "%s", band_why_none(s, entry));
+		chart_note(chart, "%s", band_why_missing(s, entry));
 		return;
 	}
 	struct chart_series *series = chart->series[chart->n - 1];
@@ -543,7 +543,7 @@ add_measured_curves(struct chart *chart, const struct session *s,
 	const struct site *site = q->asked.entry->site;
 	double moved = 0;
 	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
-		if (!site_run_is_near_speed(site, i, speed, SITE_CHART_RUNS))
+		if (!site_run_is_near_speed(site, i, speed, SITE_CHART_SPEEDS))
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, i, !q->asked.entry->train[i]);

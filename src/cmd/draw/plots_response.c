@@ -347,7 +347,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_band_probability(&s->set));
 	else
-		chart_note(last, "%s", band_why_none(s, entry));
+		chart_note(last, "%s", band_why_missing(s, entry));
 	/* The light at the middle speed, where it is at its best.  The lines
 	 * reach beyond the measured speeds, which are marked. */
 	FREED char *light = trust_in_words_at_speed(

@@ -15,7 +15,7 @@
 /* Marks of the predicted speeds, which no run has, so that they can be told
  * apart without colour. */
 static const char MARKS[] = "#@%$szNH";
-enum { FURTHER = sizeof MARKS - 1 };
+enum { MOST_SPEEDS = sizeof MARKS - 1 };
 
 /* True if an earlier run has the same feed, or the run has none sampled. */
 static bool
@@ -117,14 +117,14 @@ add_predicted_curves_at_speeds(struct chart *chart, const struct session *s,
 }
 
 static bool
-refuse_plot_speeds(const struct plot_request *q, struct error *error)
+has_bad_plot_speed(const struct plot_request *q, struct error *error)
 {
 	const struct site *site = entry_without_scenario(q->asked.entry)->site;
-	if (q->asked.n_at > FURTHER)
+	if (q->asked.n_at > MOST_SPEEDS)
 		return !error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
 		    "use at most %zu, so that the curves can be distinguished",
-		    q->asked.n_at, (size_t)FURTHER);
+		    q->asked.n_at, (size_t)MOST_SPEEDS);
 	for (size_t i = 0; i < q->asked.n_at; i++)
 		if (site_run_at_speed(site, q->asked.at[i]) < site->n_run)
 			return !error_set(error, ERROR_USAGE,
@@ -144,7 +144,7 @@ add_curves_of_all_runs(struct chart *chart, const struct session *s,
 	double middle = site_middle_speed(site);
 	add_distinct_feed_curves(chart, site);
 	for (size_t i = 0; i < site->n_run; i++)
-		if (site_run_is_near_speed(site, i, middle, SITE_CHART_RUNS))
+		if (site_run_is_near_speed(site, i, middle, SITE_CHART_SPEEDS))
 			add_run_and_predicted_curve(chart, s, entry, params, i);
 	site_chart_note_run_marks(chart, site);
 	if (params == NULL)
@@ -167,7 +167,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	struct params params;
 	struct error unknown = {0};
 	bool known = find_params_to_plot(s, q, &params, &unknown);
-	if (refuse_plot_speeds(q, error))
+	if (has_bad_plot_speed(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->asked.n_at > 0)) {
 		*error = unknown;

@@ -179,7 +179,7 @@ site_chart_run_style(const struct site *site, size_t run, bool held_out)
 	return (struct chart_series){
 	    .series = (enum series)(SERIES_MEASURED_1 + i % COLOURS),
 	    .line = CHART_MARKS,
-	    .mark = mark_character(i, held_out),
+	    .mark = mark_character_at(i, held_out),
 	    .fine = true};
 }
 
@@ -202,7 +202,7 @@ site_chart_note_run_marks(struct chart *chart, const struct site *site)
 void
 site_chart_note_feed_adjustment(struct chart *chart, double most)
 {
-	if (most > MOVED_TOLD)
+	if (most > MOVED_MENTIONED)
 		chart_note(chart, "measured products moved to this feed");
 }
 
@@ -213,7 +213,7 @@ site_chart_count_speeds_left_out(const struct site *site)
 	for (size_t i = 0; i < site->n_run; i++)
 		n += site->run[i].product.n > 0 &&
 		     !site_run_repeats_speed(site, i);
-	return n > SITE_CHART_RUNS ? n - SITE_CHART_RUNS : 0;
+	return n > SITE_CHART_SPEEDS ? n - SITE_CHART_SPEEDS : 0;
 }
 
 struct fraction

@@ -45,7 +45,7 @@ const struct command TABLE_PICTURES[] = {
 		"default: that of the screen, at most 24"},
 	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
 		"characters"}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
 	    "psd: feed, measured and predicted products; runs: every run, "
@@ -89,7 +89,7 @@ const struct command TABLE_PICTURES[] = {
 	.flags = COMMAND_DURING_SEARCH,
 	.option = OPTION_LIST(WHAT_OPTIONS,
 	    {CHOICE(as), "words", "words", "for plot: words, no picture"}),
-	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
 	    "Does the same as plot with as=words, for example plot psd "

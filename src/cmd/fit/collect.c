@@ -159,7 +159,7 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; ok && i < args->n_operand; i++) {
 		const char *path = args->operand[i];
 		files_note_read(s, path);
-		if (store_is_store_file(path))
+		if (store_is_sqlite_file(path))
 			store[n_store++] = path;
 		else
 			ok = parts_read_file(path, &parts, error);

@@ -84,7 +84,7 @@ speeds_of_cuts_text(const struct routine *r, size_t from, size_t *n)
 }
 
 /* A drift that takes more cuts than this to find counts as not found. */
-enum { LATE = 50 };
+enum { MOST_CUTS = 50 };
 
 /* Says when the drift began, if the last cut signals one. */
 static void
@@ -191,7 +191,7 @@ say_what_few_cuts_show(struct answer *a, const struct routine *r)
 static void
 say_how_soon_shift_shows(struct answer *a, double shift, double found)
 {
-	if (found <= LATE)
+	if (found <= MOST_CUTS)
 		answer_note(a,
 		    "a drift of %.1f points (mean of the sieves) is found "
 		    "within %g cuts in half of all cases",
@@ -310,7 +310,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	rule.h = args->h;
 	if (!answers_require_params_of_current(s, error))
 		return false;
-	struct routine *r = routine_compute_charts(s, entry, &rule, error);
+	struct routine *r = control_charts_compute(s, entry, &rule, error);
 	if (r == NULL)
 		return false;
 	struct answer *a = answer_about_site(entry->site, "drift",
@@ -328,6 +328,6 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	say_basis_of_control_charts(a, s, r);
 	answers_show_fit_basis(s, a, entry, false);
 	say_when_to_recalibrate(a, entry, r, &later);
-	routine_charts_free(r);
+	control_charts_free(r);
 	return session_show_answer(s, a);
 }

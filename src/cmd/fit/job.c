@@ -307,7 +307,7 @@ fit_remarks_text(const struct session *s, const struct entry *entry)
 
 /* A job with one calibration has its site and its runs from the start. */
 static bool
-has_single_fit_to_run(struct session *s)
+prepare_single_fit(struct session *s)
 {
 	s->job.entry = s->current;
 	return s->job.calibration == NULL;
@@ -328,7 +328,7 @@ end_without_answer(struct session *s, void *of)
 	(void)of;
 }
 
-static const struct job_type ONE_SITE = {.next = has_single_fit_to_run,
+static const struct job_type ONE_SITE = {.next = prepare_single_fit,
     .draw = step_posterior_of_fit,
     .take = set_and_show_single_fit,
     .end = end_without_answer,
@@ -368,7 +368,7 @@ all_fits_free(void *of)
 
 /* Finds the next site that can be calibrated. */
 static bool
-find_next_site_to_fit(struct session *s)
+prepare_next_site_fit(struct session *s)
 {
 	struct job *job = &s->job;
 	const struct all_fits *fits = job->of;
@@ -445,7 +445,7 @@ show_table_of_all_fits(struct session *s, void *of)
 	all_fits_free(fits);
 }
 
-static const struct job_type ALL_SITES = {.next = find_next_site_to_fit,
+static const struct job_type ALL_SITES = {.next = prepare_next_site_fit,
     .draw = step_posterior_of_fit,
     .take = set_fit_and_add_row,
     .end = show_table_of_all_fits,
@@ -474,7 +474,7 @@ begin_next_task_or_end_job(struct session *s)
 
 /* Runs a step of a task's search.  Returns true if the search is over. */
 static bool
-is_search_over_after_step(struct calibration *c)
+step_task_search(struct calibration *c)
 {
 	return c == NULL || calibration_step(c) >= CALIBRATE_TOLERANCE;
 }
@@ -486,7 +486,7 @@ session_step_job(struct session *s)
 	struct calibrate_status before = calibration_status(c);
 	if (before.state < CALIBRATE_TOLERANCE)
 		s->job.taken = false;
-	bool over = is_search_over_after_step(c);
+	bool over = step_task_search(c);
 	s->job.step += calibration_status(c).step - before.step;
 	if (over && s->job.type->draw != NULL && !s->job.type->draw(s))
 		return;
@@ -517,7 +517,7 @@ run_task_to_end(void *data, size_t piece, unsigned thread)
 	bool (*stop)(void) = a->task.stop;
 	(void)thread;
 	do
-		a->over = is_search_over_after_step(a->task.calibration);
+		a->over = step_task_search(a->task.calibration);
 	while (!a->over && (stop == NULL || !stop()));
 	if (a->over && type->follow != NULL) {
 		a->found = type->follow(a->s, &a->task);

@@ -17,8 +17,8 @@
  * number to the next; NULL: it is always 1. */
 static const struct engine {
 	const char *number, *of, *first, *step;
-} ENGINES[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT",
-		   "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP"},
+} SCHEDULERS[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT",
+		      "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP"},
     {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", NULL, NULL}};
 
 static bool
@@ -63,11 +63,11 @@ parse_part_or_environment(
     const char *text, struct part *part, struct error *error)
 {
 	*part = (struct part){0};
-	for (size_t i = 0; text == NULL && i < ARRAY_LEN(ENGINES); i++)
-		if (getenv(ENGINES[i].number) != NULL &&
-		    getenv(ENGINES[i].of) != NULL)
+	for (size_t i = 0; text == NULL && i < ARRAY_LEN(SCHEDULERS); i++)
+		if (getenv(SCHEDULERS[i].number) != NULL &&
+		    getenv(SCHEDULERS[i].of) != NULL)
 			return parse_part_from_scheduler(
-			    &ENGINES[i], part, error);
+			    &SCHEDULERS[i], part, error);
 	if (text == NULL)
 		return true;
 	uint64_t number = 0, of = 0;

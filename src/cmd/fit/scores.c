@@ -206,7 +206,7 @@ add_validation_table(
 	answer_columns(r, "measured%s: measured", unit);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
 		FREED char *key = xasprintf("%s%s", SCORES_WAYS[way].key, unit);
-		answer_column_to_spare(
+		answer_optional_column(
 		    r, key, tr(SCORES_WAYS[way].head), SCORES_WAYS[way].spare);
 	}
 	for (size_t i = 0; i < c->n; i++) {
@@ -223,7 +223,7 @@ add_validation_table(
 }
 
 /* Differences in RMSE, passing 0..1, beyond this exceed sampling errors. */
-static const double CLEARLY = 0.001;
+static const double CLEAR_GAP = 0.001;
 
 /* Returns the RMSE of all sieves but the worst, passing 0..1. */
 static double
@@ -263,8 +263,8 @@ way_with_least_rmse(const double rmse[static VALIDATE_WAYS])
 	bool worse = best >= VALIDATE_NULL;
 	return (struct winner){.best = best,
 	    .worse = worse,
-	    .clearly =
-		worse && own > 1.1 * rmse[best] && own - rmse[best] > CLEARLY};
+	    .clearly = worse && own > 1.1 * rmse[best] &&
+		       own - rmse[best] > CLEAR_GAP};
 }
 
 /* Returns a speed to type, between the run and the slower training speed, where

@@ -10,7 +10,7 @@
 
 /* The names of a way to predict: its key, its column heading, and a noun for
  * sentences.  spare: when a narrow table leaves out its column, see
- * answer_column_to_spare. */
+ * answer_optional_column. */
 struct scores_way {
 	const char *key, *head, *noun;
 	int spare;

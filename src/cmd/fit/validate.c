@@ -98,7 +98,8 @@ has_held_out_run(const struct entry *entry)
 
 /* True if runs of the site can be compared. */
 static bool
-is_compared(const struct session *s, const struct validating *c, size_t index)
+can_compare_site(
+    const struct session *s, const struct validating *c, size_t index)
 {
 	struct error none = {0};
 	const struct entry *entry = &s->entry[index];
@@ -112,12 +113,12 @@ is_compared(const struct session *s, const struct validating *c, size_t index)
 /* Prepares the next site to compare or, with holdout=each, the next speed to
  * hold out. */
 static bool
-find_next_comparison(struct session *s)
+prepare_next_comparison(struct session *s)
 {
 	struct validating *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
 		const struct site *site = s->entry[c->at].site;
-		if (!is_compared(s, c, c->at))
+		if (!can_compare_site(s, c, c->at))
 			continue;
 		s->job.entry = c->at;
 		if (!c->runs.each) {
@@ -215,7 +216,7 @@ show_held_out_results(struct session *s, void *of)
 	free_validation(c);
 }
 
-static const struct job_type EACH = {.next = find_next_comparison,
+static const struct job_type EACH = {.next = prepare_next_comparison,
     .take = append_held_out_results,
     .end = show_held_out_results,
     .drop = free_validation,
@@ -223,7 +224,7 @@ static const struct job_type EACH = {.next = find_next_comparison,
     .useless = N_("stopped before all speeds were predicted"),
     .follow = compare_at_held_out_speed};
 
-static const struct job_type CALIBRATED = {.next = find_next_comparison,
+static const struct job_type CALIBRATED = {.next = prepare_next_comparison,
     .take = append_held_out_results,
     .end = show_held_out_results,
     .drop = free_validation,
@@ -307,7 +308,7 @@ begin_comparisons(struct session *s, struct validating *c, struct error *error)
 		struct error e = {0};
 		const struct entry *entry = &s->entry[i];
 		bool fit = entry->has_fit && !c->runs.each,
-		     compared = is_compared(s, c, i);
+		     compared = can_compare_site(s, c, i);
 		if (!part_has_site(&c->part, i))
 			continue;
 		n_fit += fit;

@@ -254,7 +254,7 @@ command_option_at(const struct command *command, size_t i)
 const struct command_option *
 command_shared_option(size_t i)
 {
-	static const struct command_option *const ALL[] = {SHARED_TURNS,
+	static const struct command_option *const ALL[] = {SHARED_RPM,
 	    SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS, NULL};
 	return option_at_index(ALL, i);

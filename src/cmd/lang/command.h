@@ -194,7 +194,7 @@ extern const struct command TABLE_DATA[], TABLE_MODEL[], TABLE_FIT[],
     TABLE_ANSWERS[], TABLE_STORE[], TABLE_PICTURES[], TABLE_SESSION[];
 
 /* Options that several commands share; each list ends with a NULL name. */
-extern const struct command_option SHARED_TURNS[], SHARED_FEED[],
+extern const struct command_option SHARED_RPM[], SHARED_FEED[],
     SHARED_MACHINE[], SHARED_SIEVES[], SHARED_CUT[], SHARED_SCREENS[];
 
 /* The settings, ending with a NULL name. */

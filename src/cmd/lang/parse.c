@@ -365,7 +365,7 @@ value_parse_blend_feed(const char *text, size_t *length, double *share)
 }
 
 /* Control rooms show rpm. */
-static const char TURNS[] =
+static const char RPM_HINT[] =
     N_("is this rpm? '%.*s rpm' works if the rotor is known: m/s = 3.1416 x "
        "rotor diameter (m) x rpm / 60");
 
@@ -382,7 +382,7 @@ hint_decimal_format(
 	strip_unit(copy, option->unit);
 	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
 		error_hint(
-		    error, TURNS, (int)strspn(word, "0123456789."), word);
+		    error, RPM_HINT, (int)strspn(word, "0123456789."), word);
 	} else if (comma != NULL) {
 		*comma = '.';
 		bool right = text_parse_number(copy, &low);
@@ -421,7 +421,7 @@ parse_number_in_limits(const struct command_option *option, const char *word,
 		    option->least, option->most, space, option->unit, word);
 		return *value > option->most &&
 		       strcmp(option->unit, "m/s") == 0 &&
-		       error_hint(error, TURNS,
+		       error_hint(error, RPM_HINT,
 			   (int)strspn(word, "0123456789."), word);
 	}
 	return true;

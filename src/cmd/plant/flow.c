@@ -262,10 +262,10 @@ note_earnings(
 /* The speeds tried, m/s, and what each earns per hour, on average (NAN if the
  * circuit has no steady state) and in each draw.  best: index of the speed that
  * earns most. */
-enum { COARSE = 20, FINE = 10, LOOKED_AT = COARSE + 1 + FINE };
+enum { COARSE = 20, FINE = 10, SPEEDS_TRIED = COARSE + 1 + FINE };
 struct speed_trials {
 	size_t n, best;
-	double from, to, step, speed[LOOKED_AT], money[LOOKED_AT];
+	double from, to, step, speed[SPEEDS_TRIED], money[SPEEDS_TRIED];
 	double (*draw)[DRAWS];
 };
 
@@ -292,7 +292,7 @@ search_best_earning_speed(const struct plant *p, double from, double to)
 	struct speed_trials s = {.from = from,
 	    .to = to,
 	    .step = (to - from) / COARSE,
-	    .draw = xcalloc(LOOKED_AT, sizeof *s.draw)};
+	    .draw = xcalloc(SPEEDS_TRIED, sizeof *s.draw)};
 	for (int i = 0; i <= COARSE; i++)
 		compute_earnings_at_speed(
 		    &s, p, i < COARSE ? from + i * s.step : to);
@@ -495,7 +495,8 @@ add_streams_and_basis(
 	put_stream_fields(p, o, answer_fields(r));
 	bool band = o->flow.draws == DRAWS;
 	if (!band)
-		answer_say(r, ANSWER_REMARK, "%s", band_why_none(p->s, entry));
+		answer_say(
+		    r, ANSWER_REMARK, "%s", band_why_missing(p->s, entry));
 	if (p->s->set.model.method == METHOD_CLASSES)
 		answer_say(r, ANSWER_REMARK,
 		    "method classes takes the classes of the screens here, "
@@ -657,7 +658,7 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 {
 	struct plant p;
 	question_use_last_speed_and_feed(s, args, q);
-	if (!plant_parse_options(s, args, q, &p, error))
+	if (!plant_from_args(s, args, q, &p, error))
 		return false;
 	double speed = q->speed;
 	FREED char *fixed = plant_fixed_speeds_text(&p, &speed);

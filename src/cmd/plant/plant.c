@@ -100,7 +100,7 @@ name_of_fraction(double fine, double coarse)
 
 /* True if a list contains a name; adds 1 to *taken then. */
 static bool
-is_name_in_list(const char *list, const char *name, size_t *taken)
+count_if_in_list(const char *list, const char *name, size_t *taken)
 {
 	char *part;
 	bool found = false;
@@ -182,7 +182,7 @@ build_circuit(const struct args *args, const struct fraction_list *cuts,
 		size_t over = pan ? now
 				  : add_screen(c, args, cuts->edge[i], name,
 					i + 1 == cuts->n_edge, &now);
-		if (is_name_in_list(p->back, name, &taken) &&
+		if (count_if_in_list(p->back, name, &taken) &&
 		    crusher->n_in < UNIT_STREAMS)
 			crusher->in[crusher->n_in++] = over;
 		else
@@ -460,7 +460,7 @@ make_models_of_units(struct plant *p)
 }
 
 bool
-plant_parse_options(struct session *s, const struct args *args,
+plant_from_args(struct session *s, const struct args *args,
     const struct question *q, struct plant *plant, struct error *error)
 {
 	*plant = (struct plant){.s = s, .question = q};

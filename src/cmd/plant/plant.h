@@ -35,7 +35,7 @@ struct plant {
 
 /* Reads the options and the file of the call.  If that fails, there is nothing
  * to free. */
-bool plant_parse_options(struct session *s, const struct args *args,
+bool plant_from_args(struct session *s, const struct args *args,
     const struct question *q, struct plant *plant, struct error *error);
 void plant_free(struct plant *plant);
 

@@ -99,7 +99,7 @@ static void
 offer_quantities_to_assert(struct work *w)
 {
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++)
-		offer_if_matching(w, ANSWERS_NAMES[i].name, ' ');
+		offer_if_matching(w, ASSERTED_NAMES[i].name, ' ');
 }
 
 static void

@@ -82,7 +82,7 @@ invocation_begin(struct session *s, const struct args *args,
 		return false;
 	}
 	t->label = journal_call_as_typed(command, words);
-	t->line = journal_line_of_call(args, words);
+	t->line = journal_call_as_saved(args, words);
 	t->state = journal_current_place(s).state;
 	t->steps = undo_count_steps(s);
 	t->uses = files_count_uses(s);

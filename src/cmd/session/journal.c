@@ -241,7 +241,7 @@ is_option_not_saved(const struct command_option *o)
 }
 
 char *
-journal_line_of_call(const struct args *args, const struct words *words)
+journal_call_as_saved(const struct args *args, const struct words *words)
 {
 	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
@@ -267,7 +267,7 @@ journal_line_of_call(const struct args *args, const struct words *words)
 }
 
 char *
-journal_load_line(
+journal_line_to_load(
     uint64_t digest, size_t n, const char *const *path, const double *speed)
 {
 	char *line = xstrdup("load"), number[32];
@@ -284,7 +284,7 @@ journal_load_line(
 }
 
 char *
-journal_load_options_text(const struct site_request *q)
+journal_options_to_load(const struct site_request *q)
 {
 	char *text = xstrdup(""), number[32];
 	if (q->columns != NULL)

@@ -58,17 +58,17 @@ void journal_append_word(char **line, const char *word);
 /* Returns the call as a line that means the same in any folder and script: with
  * full name and absolute paths.  Leaves out pause=, which is added when the job
  * stops, with the step at which it does.  The caller frees it. */
-char *journal_line_of_call(const struct args *args, const struct words *words);
+char *journal_call_as_saved(const struct args *args, const struct words *words);
 
 /* Returns "load FILE@SPEED.. digest=HEX" for what was read from n files.
  * speed: of the samples in each file, m/s, or 0; NULL for none.  The caller
  * frees it. */
-char *journal_load_line(
+char *journal_line_to_load(
     uint64_t digest, size_t n, const char *const *path, const double *speed);
 
 /* Returns the options of a request as one would type them, " sheet=\"B\"
  * top=16".  The caller frees it. */
-char *journal_load_options_text(const struct site_request *request);
+char *journal_options_to_load(const struct site_request *request);
 
 /* Returns the call as typed, but with the full name of the command.  The caller
  * frees it. */

@@ -136,7 +136,7 @@ session_show_answer(struct session *s, struct answer *answer)
 void
 session_set_translation(const struct session *s)
 {
-	tr_switch_on(!ANSWER_FORMATS[s->set.format].exact);
+	tr_set_enabled(!ANSWER_FORMATS[s->set.format].exact);
 }
 
 void

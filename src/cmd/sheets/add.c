@@ -31,14 +31,14 @@
  * at that time. */
 struct origins {
 	size_t n;
-	struct cut_origin {
+	struct cut_source {
 		char *word, *file, *when;
 		struct logged logged;
 	} * file;
 };
 
 static void
-free_cut_origins(struct origins *o)
+free_cut_sources(struct origins *o)
 {
 	for (size_t i = 0; i < o->n; i++) {
 		free(o->file[i].word);
@@ -51,7 +51,7 @@ free_cut_origins(struct origins *o)
 /* How ambiguous dates, such as 5/11/2026, are read.  order: of day and month;
  * why: what shows that order, in words, or NULL; now: only today's date shows
  * it. */
-struct cut_day {
+struct date_reading {
 	enum datetime_order order;
 	const char *why;
 	bool now;
@@ -98,24 +98,25 @@ date_order_by_today(const struct site *cuts)
 /* Finds the order of day and month in the dates of cuts: from dates=, else from
  * their other dates, else from the dates of the site to which they are added,
  * else from today's date, after which no cut was taken. */
-static struct cut_day
-cut_day_find_date_order(
+static struct date_reading
+find_cut_date_order(
     const struct args *args, const struct site *cuts, const struct site *site)
 {
 	if (args_is_given(args, &args->dates))
-		return (struct cut_day){args->dates == 0 ? DATETIME_DAY_FIRST
-							 : DATETIME_MONTH_FIRST,
+		return (struct date_reading){args->dates == 0
+						 ? DATETIME_DAY_FIRST
+						 : DATETIME_MONTH_FIRST,
 		    tr("as dates= says"), false};
 	enum datetime_order order = cut_day_month_order(cuts);
 	if (order != DATETIME_OPEN)
-		return (struct cut_day){
+		return (struct date_reading){
 		    order, tr("as its other dates show"), false};
 	order = cut_day_month_order(site);
 	if (order != DATETIME_OPEN)
-		return (struct cut_day){
+		return (struct date_reading){
 		    order, tr("as the dates of earlier cuts show"), false};
 	order = date_order_by_today(cuts);
-	return (struct cut_day){order,
+	return (struct date_reading){order,
 	    order != DATETIME_OPEN ? tr("as the other reading is in the future")
 				   : NULL,
 	    order != DATETIME_OPEN};
@@ -211,7 +212,7 @@ find_at_sign_of_speed(const char *word)
  * speed then: "cut.csv@64.2". */
 static bool
 look_up_cut_time_in_log(struct session *s, const struct args *args,
-    const char *word, double day, double rotor, struct cut_origin *o,
+    const char *word, double day, double rotor, struct cut_source *o,
     struct error *error)
 {
 	const char *at = find_at_sign_of_speed(word);
@@ -241,7 +242,7 @@ look_up_cut_time_in_log(struct session *s, const struct args *args,
 /* Returns what a site keeps about a cut, which the fit of power to speed and
  * feed rate reads: "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv". */
 static char *
-cut_note_text(double speed, const struct cut_origin *o)
+cut_note_text(double speed, const struct cut_source *o)
 {
 	char *text = xasprintf("%g m/s", speed);
 	if (o != NULL && o->when[0] != '\0')
@@ -273,7 +274,7 @@ site_note_with_iso_date(const struct site_note *note, enum datetime_order order)
 /* Returns the note of a run.  If its sheet has one and no other time is known,
  * it is that note, with the file added. */
 static char *
-cut_note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
+cut_note_of_run(const struct site *cuts, size_t run, const struct cut_source *o,
     enum datetime_order order)
 {
 	const struct site_note *said = cut_find_note(cuts, run);
@@ -312,7 +313,7 @@ use_date_of_header(
 /* Says how the first ambiguous date was read, or that it was not read. */
 static void
 note_ambiguous_date(struct session *s, const struct site *cuts,
-    const struct cut_day *how, const struct origins *all)
+    const struct date_reading *how, const struct origins *all)
 {
 	struct datetime m;
 	size_t i = 0;
@@ -350,10 +351,10 @@ note_ambiguous_date(struct session *s, const struct site *cuts,
 
 /* Returns the file of a cut: the only one, or the one with its speed; or
  * NULL. */
-static const struct cut_origin *
+static const struct cut_source *
 find_file_of_cut(const struct origins *all, double speed)
 {
-	const struct cut_origin *found = all->n == 1 ? &all->file[0] : NULL;
+	const struct cut_source *found = all->n == 1 ? &all->file[0] : NULL;
 	for (size_t i = 0; i < all->n && found == NULL; i++) {
 		const char *at = strrchr(all->file[i].word, '@');
 		double v;
@@ -573,7 +574,7 @@ suggest_step_after_cuts(struct session *s, enum verdict worst, size_t n)
 }
 
 static bool
-check_site_digest(const struct site *site, const char *digest,
+check_or_add_digest(const struct site *site, const char *digest,
     struct session *s, struct error *error)
 {
 	FREED char *found = xasprintf("%016" PRIx64, site->digest);
@@ -612,7 +613,7 @@ add_cut_notes_to_site(struct session *s, struct site *site,
 		double v = cuts->run[place[k]].speed;
 		FREED char *note = cut_note_of_run(
 		    cuts, place[k], find_file_of_cut(all, v), order);
-		site_add_note(&site->note, &site->n_note, "cut", note);
+		site_notes_append(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
 	}
 }
@@ -620,7 +621,7 @@ add_cut_notes_to_site(struct session *s, struct site *site,
 /* If the provenance begins with the day of the sheet, adds the day of the last
  * cut: "sheet of 2026-11-02, cuts to 2026-11-19". */
 static void
-note_days_in_provenance(struct site *site)
+add_day_to_provenance(struct site *site)
 {
 	static const char SHEET[] = "sheet of ", CUTS[] = ", cuts to ";
 	enum { DAY = sizeof "2026-11-19" - 1 };
@@ -694,7 +695,7 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
     struct site *cuts, struct origins *all, struct error *error)
 {
 	const struct site *old = session_current_entry(s)->site;
-	const struct cut_day how = cut_day_find_date_order(args, cuts, old);
+	const struct date_reading how = find_cut_date_order(args, cuts, old);
 	drop_known_cuts(s, old, cuts, how.order);
 	if (cuts->n_run == 0)
 		return true;
@@ -702,10 +703,10 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 	struct site *site = site_copy_with_cuts(old, cuts, from);
 	char number[32];
 	if (site_assumed_top_size(cuts) > site_assumed_top_size(old))
-		site_add_note(&site->note, &site->n_note, SITE_ASSUMED_TOP,
+		site_notes_append(&site->note, &site->n_note, SITE_ASSUMED_TOP,
 		    text_shortest_exact_number(
 			site_assumed_top_size(cuts), number));
-	if (!check_site_digest(site, args->digest, s, error)) {
+	if (!check_or_add_digest(site, args->digest, s, error)) {
 		site_free(site);
 		return false;
 	}
@@ -713,7 +714,7 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 		site->rotor = args->rotor_mm / 1000;
 	use_date_of_header(cuts, how.order, all);
 	add_cut_notes_to_site(s, site, cuts, all, how.order);
-	note_days_in_provenance(site);
+	add_day_to_provenance(site);
 	if (args->date == NULL)
 		note_ambiguous_date(s, cuts, &how, all);
 	load_note_how_read(s, cuts);
@@ -749,6 +750,6 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	good = cuts != NULL &&
 	       add_cuts_to_current_site(s, args, cuts, &all, error);
 	site_free(cuts);
-	free_cut_origins(&all);
+	free_cut_sources(&all);
 	return good;
 }

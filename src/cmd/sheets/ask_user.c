@@ -14,7 +14,7 @@
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/lexicon.h"
 
-enum { WRONG = 160 };
+enum { WRONG_SIZE = 160 };
 
 /* Rotors of VSI crushers have diameters of 0.4 to 1.5 m. */
 static const double LEAST_ROTOR_MM = 100, MOST_ROTOR_MM = 5000;
@@ -161,14 +161,14 @@ guessed_role(const struct site_ask_column *c)
  * role, but a feed without a speed becomes a product. */
 static char *
 parse_speed_answer(const struct site_ask_column *c, const struct head *head,
-    char wrong[static WRONG])
+    char wrong[static WRONG_SIZE])
 {
 	bool rpm = head->rpm > 0 && !(head->speed > 0);
 	double v = head->speed > 0 ? head->speed
 		   : rpm           ? head->rpm
 				   : head->number[0];
 	if (!rpm && !(v >= 1 && v <= SITE_FASTEST)) {
-		snprintf(wrong, WRONG,
+		snprintf(wrong, WRONG_SIZE,
 		    tr("expected a tip speed from 1 to %d m/s, got %g; for rpm "
 		       "write: %g rpm"),
 		    SITE_FASTEST, v, v);
@@ -210,14 +210,15 @@ parse_role_answer(const struct site_ask_column *c, const char *said,
 }
 
 static char *
-parse_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
+parse_sieve_answer(
+    const char *said, uint64_t means, char wrong[static WRONG_SIZE])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
 			WORD_TYLER | WORD_BS | WORD_ASTM | WORD_PHI;
 	if ((means & unit) != 0)
 		return xasprintf(
 		    "%s%s", (means & WORD_SIZE) != 0 ? "" : tr("sieve "), said);
-	snprintf(wrong, WRONG,
+	snprintf(wrong, WRONG_SIZE,
 	    tr("expected the unit of the sieves (mm, um, in, phi, tyler, bs, "
 	       "astm), got '%.30s'"),
 	    said);
@@ -229,7 +230,7 @@ parse_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
  * column is left out or, if `wrong` is not empty, it says what was expected. */
 static char *
 parse_column_answer(const struct site_ask_column *c, const char *answer,
-    char wrong[static WRONG])
+    char wrong[static WRONG_SIZE])
 {
 	FREED char *copy = xstrdup(answer);
 	char *said = text_trim(copy), *text = NULL;
@@ -245,7 +246,7 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 	bool speed = heading_has_speed(&head) || head.n_number > 0;
 	wrong[0] = '\0';
 	if (said[0] == '\0' && does_guess_lack_speed(c))
-		snprintf(wrong, WRONG,
+		snprintf(wrong, WRONG_SIZE,
 		    tr("expected a tip speed in m/s, got nothing; - leaves it "
 		       "out"));
 	else if (said[0] == '\0')
@@ -253,14 +254,14 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 	else if (is_guessed_sieve_column(c))
 		text = parse_sieve_answer(said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
-		snprintf(wrong, WRONG,
+		snprintf(wrong, WRONG_SIZE,
 		    tr("expected words for what it is, got '%.40s'"), said);
 	else if ((means & known) != 0)
 		text = parse_role_answer(c, said, &head, means);
 	else if (speed && head.unknown == 0)
 		text = parse_speed_answer(c, &head, wrong);
 	else if (strcmp(said, "-") != 0)
-		snprintf(wrong, WRONG,
+		snprintf(wrong, WRONG_SIZE,
 		    tr("expected a tip speed, feed, product@69 or -, got "
 		       "'%.30s'"),
 		    said);
@@ -274,7 +275,7 @@ static bool
 ask_about_column(
     struct session *s, struct user_question *q, struct site_ask_column *c)
 {
-	char wrong[WRONG] = "";
+	char wrong[WRONG_SIZE] = "";
 	const char *kind = q->ask->across ? tr("line") : tr("column");
 	bool speed = does_guess_lack_speed(c);
 	FREED char *question =
@@ -355,7 +356,7 @@ parse_rotor_answer(const char *said, struct user_answers *into, char *wrong)
 		    mm >= LEAST_ROTOR_MM && mm <= MOST_ROTOR_MM;
 	into->rotor = good ? mm / 1000 : 0;
 	if (!good)
-		snprintf(wrong, WRONG,
+		snprintf(wrong, WRONG_SIZE,
 		    tr("expected a diameter from %g to %g mm, got '%.30s'"),
 		    LEAST_ROTOR_MM, MOST_ROTOR_MM, said);
 	return good;
@@ -378,7 +379,7 @@ parse_top_size_answer(const char *settle, const char *said,
 	bool good =
 	    text_parse_typed_number(number, &into->top) && into->top > 0;
 	if (!good)
-		snprintf(wrong, WRONG,
+		snprintf(wrong, WRONG_SIZE,
 		    strchr(settle, '=')[1] == '\0'
 			? tr("expected a size in mm, or n, got '%.30s'")
 			: tr("expected y, n or another size in mm, got "
@@ -395,7 +396,7 @@ parse_decimal_mark_answer(
 	bool point = strcmp(said, ".") == 0 || text_same_folded(said, "point");
 	into->decimal = comma ? ',' : '.';
 	if (!comma && !point)
-		snprintf(wrong, WRONG,
+		snprintf(wrong, WRONG_SIZE,
 		    tr("expected point or comma, got '%.30s'"), said);
 	return comma || point;
 }
@@ -407,7 +408,7 @@ parse_date_order_answer(
 	into->month_first = is_abbreviation_of(said, "month");
 	if (is_abbreviation_of(said, "day") || into->month_first)
 		return true;
-	snprintf(wrong, WRONG, tr("expected %s or %s, got '%.30s'"), "day",
+	snprintf(wrong, WRONG_SIZE, tr("expected %s or %s, got '%.30s'"), "day",
 	    "month", said);
 	return false;
 }
@@ -430,7 +431,7 @@ static bool
 parse_tables_answer(const struct site_ask *ask, const char *said,
     struct user_answers *into, char *wrong)
 {
-	struct site_box box;
+	struct cell_range box;
 	char *end;
 	size_t from = ask->first + 1, to = ask->last + 1;
 	if (said[0] >= '0' && said[0] <= '9') {
@@ -439,13 +440,13 @@ parse_tables_answer(const struct site_ask *ask, const char *said,
 		if (*end == '-')
 			to = strtoul(end + 1, &end, 10);
 		from = *end == '\0' ? from : 0;
-	} else if (site_box_parse(said, &box)) {
+	} else if (cell_range_parse(said, &box)) {
 		return parse_sheet_or_range_answer("range=", said, into);
 	} else if (said[0] != '\0') {
 		from = 0;
 	}
 	if (from == 0 || from > to || to > ask->n) {
-		snprintf(wrong, WRONG,
+		snprintf(wrong, WRONG_SIZE,
 		    tr("expected tables from 1 to %zu, such as 2 or 1-2, or "
 		       "cells, got '%.30s'"),
 		    ask->n, said);
@@ -453,7 +454,7 @@ parse_tables_answer(const struct site_ask *ask, const char *said,
 	}
 	free(into->range);
 	into->range =
-	    site_box_text(site_box_around_tables(ask, from - 1, to - 1));
+	    cell_range_text(cell_range_around_tables(ask, from - 1, to - 1));
 	return true;
 }
 
@@ -481,7 +482,7 @@ static bool
 ask_until_valid_answer(
     struct session *s, struct user_question *q, struct user_answers *said)
 {
-	char wrong[WRONG] = "";
+	char wrong[WRONG_SIZE] = "";
 	bool top = strncmp(q->ask->settle, "top=", 4) == 0;
 	q->wrong = wrong;
 	for (q->first = true;; q->first = false) {

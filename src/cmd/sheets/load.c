@@ -193,7 +193,7 @@ hint_how_to_add_products(
 	char number[32];
 	const char *site = s->n_entry > 0 ? s->entry[s->current].key : NULL;
 	FREED char *line = xstrdup("add"),
-		   *options = journal_load_options_text(&l->request);
+		   *options = journal_options_to_load(&l->request);
 	for (size_t i = 0; i < l->request.n; i++) {
 		FREED char *word =
 		    l->speed[i] > 0
@@ -250,9 +250,9 @@ add_site_just_read(
 	const struct entry *entry = session_current_entry(s);
 	note_loaded_site(s, entry->site);
 	check_warn_coarser_product(s, entry->site);
-	FREED char *line = journal_load_line(entry->site->digest, l->request.n,
-	    l->request.path, l->request.speed);
-	FREED char *options = journal_load_options_text(&l->request);
+	FREED char *line = journal_line_to_load(entry->site->digest,
+	    l->request.n, l->request.path, l->request.speed);
+	FREED char *options = journal_options_to_load(&l->request);
 	journal_add_line(s, NULL, "%s%s", line, options);
 	return true;
 }
@@ -572,7 +572,7 @@ load_cuts(struct session *s, const struct args *args, const char *const *word,
 		files_note_read(s, l.path[i]);
 	struct site *site = good ? read_site_or_ask_user(s, &l, error) : NULL;
 	put_user_answers_in_request(&l.said, &answers);
-	FREED char *options = journal_load_options_text(&answers);
+	FREED char *options = journal_options_to_load(&answers);
 	invocation_journal_options(s, "%s", options);
 	free_load_request(&l);
 	return site;

@@ -91,8 +91,9 @@ add_log_line_to_journal(
 {
 	const struct site_request of = {
 	    .columns = q->columns, .sheet = q->sheet, .decimal = q->decimal};
-	FREED char *line = journal_load_line(log->digest, q->n, q->path, NULL);
-	FREED char *options = journal_load_options_text(&of);
+	FREED char *line =
+	    journal_line_to_load(log->digest, q->n, q->path, NULL);
+	FREED char *options = journal_options_to_load(&of);
 	journal_add_line(s, NULL, "%s as=log%s%s", line, options,
 	    q->order == DATETIME_OPEN        ? ""
 	    : q->order == DATETIME_DAY_FIRST ? " dates=day-first"

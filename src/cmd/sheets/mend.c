@@ -43,10 +43,10 @@ mend_find_faults(const struct session *s, const struct entry *entry)
 
 static const char *const KINDS[] = {[MEND_READ] = "read",
     [MEND_OUT] = "leave out",
-    [MEND_SWAP] = "swap with feed",
+    [MEND_SWAP_FEED] = "swap with feed",
     [MEND_UP] = "move up",
     [MEND_DOWN] = "move down",
-    [MEND_WITH] = "exchange",
+    [MEND_SWAP_RUNS] = "exchange",
     [MEND_SCALE] = "scale sieves",
     [MEND_DROP] = "drop run"};
 
@@ -54,7 +54,7 @@ char *
 mend_command_line(const struct site *site, const struct mend *m)
 {
 	static const char *const DO[] = {[MEND_OUT] = "out",
-	    [MEND_SWAP] = "swap",
+	    [MEND_SWAP_FEED] = "swap",
 	    [MEND_UP] = "up",
 	    [MEND_DOWN] = "down",
 	    [MEND_DROP] = "drop"};
@@ -69,7 +69,7 @@ mend_command_line(const struct site *site, const struct mend *m)
 		    text_shortest_exact_number(units_pct(m->value), number));
 	else if (m->kind == MEND_SCALE)
 		xappend(&call, " scale=%g", m->value);
-	else if (m->kind == MEND_WITH)
+	else if (m->kind == MEND_SWAP_RUNS)
 		xappend(&call, " with=%s", with);
 	else
 		xappend(&call, " do=%s", DO[m->kind]);
@@ -229,17 +229,17 @@ static bool
 parse_kind_of_mend(const struct args *args, struct mend *mend)
 {
 	static const enum mend_kind DO[] = {
-	    MEND_OUT, MEND_SWAP, MEND_UP, MEND_DOWN, MEND_DROP};
+	    MEND_OUT, MEND_SWAP_FEED, MEND_UP, MEND_DOWN, MEND_DROP};
 	bool value = args_is_given(args, &args->mend_value);
 	mend->size = args->sieve / 1000;
 	mend->kind = value                ? MEND_READ
 		     : args->scale > 0    ? MEND_SCALE
 		     : args->with == NULL ? DO[args->mend_do]
-					  : MEND_WITH;
+					  : MEND_SWAP_RUNS;
 	mend->value = value ? args->mend_value / 100 : args->scale;
 	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
-	bool product = mend->kind == MEND_SWAP || mend->kind == MEND_WITH ||
-		       mend->kind == MEND_DROP;
+	bool product = mend->kind == MEND_SWAP_FEED ||
+		       mend->kind == MEND_SWAP_RUNS || mend->kind == MEND_DROP;
 	return cell == (args->sieve > 0) && !(product && mend->feed);
 }
 

@@ -108,7 +108,7 @@ static char *
 material_contents_text(const struct material *m)
 {
 	struct fit_record b;
-	bool runs = fit_record_of_material(m, &b, NULL);
+	bool runs = fit_record_from_material(m, &b, NULL);
 	char *words = runs
 			  ? runs_and_speeds_text(b.now != NULL ? b.now : b.then)
 			  : xstrdup(tr("parameters"));
@@ -150,10 +150,10 @@ set_params_from_material(
 
 /* The result of recalling a material. */
 enum remembered {
-	REMEMBERED_FAILED, /* with an error */
-	REMEMBERED_NONE,   /* the material has no runs */
-	REMEMBERED_OWN,    /* the site has its own calibration again */
-	REMEMBERED_OTHER   /* the site has the parameters and draws of another
+	RECALL_FAILED,       /* with an error */
+	RECALL_WITHOUT_RUNS, /* the material has no runs */
+	RECALL_OWN,          /* the site has its own calibration again */
+	RECALL_OTHER         /* the site has the parameters and draws of another
 			    * site */
 };
 
@@ -167,10 +167,10 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 {
 	struct fit_record b;
 	error->kind = ERROR_NONE;
-	if (!fit_record_of_material(m, &b, error)) {
+	if (!fit_record_from_material(m, &b, error)) {
 		fit_record_clear(&b);
-		return error->kind == ERROR_NONE ? REMEMBERED_NONE
-						 : REMEMBERED_FAILED;
+		return error->kind == ERROR_NONE ? RECALL_WITHOUT_RUNS
+						 : RECALL_FAILED;
 	}
 	struct site *now = b.now != NULL ? b.now : b.then;
 	if (s->n_entry == 0) {
@@ -198,7 +198,7 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 		set_params_from_material(entry, m, h);
 	session_forget_answers(s);
 	free(b.train);
-	return own ? REMEMBERED_OWN : REMEMBERED_OTHER;
+	return own ? RECALL_OWN : RECALL_OTHER;
 }
 
 /* Returns "fit", "set by hand" or "Table 3". */
@@ -518,7 +518,7 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
     const struct material *m, struct error *error)
 {
 	struct fit_record b;
-	bool runs = fit_record_of_material(m, &b, NULL);
+	bool runs = fit_record_from_material(m, &b, NULL);
 	const struct site *site = b.now != NULL ? b.now : b.then;
 	bool earlier =
 	    runs && entry->has_fit && has_all_runs_of(entry->site, site) &&
@@ -746,12 +746,12 @@ recall_params_and_runs(struct session *s, const struct material *m,
     size_t index, struct error *error)
 {
 	enum remembered how = recall_calibration(s, m, &index, error);
-	if (how == REMEMBERED_FAILED ||
-	    (how == REMEMBERED_NONE &&
+	if (how == RECALL_FAILED ||
+	    (how == RECALL_WITHOUT_RUNS &&
 		!session_require_site(s, "recall", error)))
 		return false;
 	struct entry *entry = &s->entry[index];
-	if (how == REMEMBERED_NONE)
+	if (how == RECALL_WITHOUT_RUNS)
 		set_site_params(s, entry, &m->params, origin_from_store(m));
 	note_recalled_material(s, entry, m);
 	return true;

@@ -76,15 +76,15 @@ char *
 mend_text(const struct site *site, const struct mend *m)
 {
 	FREED char *name = mend_column_name(site, m->feed, m->run);
-	FREED char *with = m->kind == MEND_SWAP
+	FREED char *with = m->kind == MEND_SWAP_FEED
 			       ? mend_column_name(site, true, m->run)
 			       : mend_column_name(site, false, m->other);
 	switch (m->kind) {
 	case MEND_READ:
 	case MEND_OUT:
 		return mended_cell_text(site, m, name);
-	case MEND_SWAP:
-	case MEND_WITH:
+	case MEND_SWAP_FEED:
+	case MEND_SWAP_RUNS:
 		return xasprintf(tr("%s and %s exchanged"), name, with);
 	case MEND_UP:
 	case MEND_DOWN:
@@ -236,9 +236,9 @@ static void
 apply_mend(struct site *site, const struct site *from, const struct mend *m)
 {
 	bool all = m->feed && !site->individual_feeds;
-	if (m->kind == MEND_SWAP) {
+	if (m->kind == MEND_SWAP_FEED) {
 		swap_feed_with_product(site, m->run);
-	} else if (m->kind == MEND_WITH) {
+	} else if (m->kind == MEND_SWAP_RUNS) {
 		swap_curves(
 		    &site->run[m->run].product, &site->run[m->other].product);
 		drop_standard_deviations(&site->run[m->run]);

@@ -10,14 +10,14 @@
 #include "core/psd/site.h"
 
 enum mend_kind {
-	MEND_READ,  /* a passing is replaced with `value` */
-	MEND_OUT,   /* a passing is left out */
-	MEND_SWAP,  /* a product and its feed are swapped */
-	MEND_UP,    /* a column moves up to the next coarser sieve */
-	MEND_DOWN,  /* a column moves down to the next finer sieve */
-	MEND_WITH,  /* two products are swapped */
-	MEND_SCALE, /* the sieves of a column are multiplied by `value` */
-	MEND_DROP   /* a run is left out */
+	MEND_READ,      /* a passing is replaced with `value` */
+	MEND_OUT,       /* a passing is left out */
+	MEND_SWAP_FEED, /* a product and its feed are swapped */
+	MEND_UP,        /* a column moves up to the next coarser sieve */
+	MEND_DOWN,      /* a column moves down to the next finer sieve */
+	MEND_SWAP_RUNS, /* two products are swapped */
+	MEND_SCALE,     /* the sieves of a column are multiplied by `value` */
+	MEND_DROP       /* a run is left out */
 };
 
 /* A mend of one column.  run: 0 for a feed shared by all runs.  size: the sieve

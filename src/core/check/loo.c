@@ -177,7 +177,7 @@ search_hyperparameters(struct block *b, double noise)
 
 /* Leaves the cell out (sign 1), or includes it again (-1). */
 static void
-free_or_fix_cell(struct leave_out *l, size_t cell, double sign)
+set_cell_left_out(struct leave_out *l, size_t cell, double sign)
 {
 	const double *u = l->shift + cell * l->n;
 	for (size_t k = 0; k < BLOCKS; k++) {
@@ -331,15 +331,15 @@ minus_log_posterior_at_best_hypers(struct leave_out *l)
 /* Returns the shift of a cell with the hyperparameters that are most probable
  * if the cell is left out. */
 static struct leave_out_shift
-shift_of_free_cell(struct leave_out *l, size_t cell, double level)
+shift_of_cell_left_out(struct leave_out *l, size_t cell, double level)
 {
 	struct leave_out_shift s = {.cell = cell};
 	double was[BLOCKS][HYPERS], shift;
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(was[k], l->block[k].hyper, sizeof was[k]);
-	free_or_fix_cell(l, cell, 1);
+	set_cell_left_out(l, cell, 1);
 	s.gain = level - minus_log_posterior_at_best_hypers(l);
-	free_or_fix_cell(l, cell, -1);
+	set_cell_left_out(l, cell, -1);
 	FREED double *U = factor_joint_covariance(l),
 		     *y = standardise_joint_values(l, U);
 	s.z = z_of_cell(l, U, y, cell, &shift, &s.sd);
@@ -352,7 +352,7 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 struct leave_out_shift
 leave_out_shift_of_cell(struct leave_out *l, size_t cell)
 {
-	return shift_of_free_cell(
+	return shift_of_cell_left_out(
 	    l, cell, minus_log_posterior_at_best_hypers(l));
 }
 
@@ -365,7 +365,7 @@ leave_out_worst_shift(struct leave_out *l)
 	size_t n = find_cells_of_largest_z(l, cell);
 	for (size_t i = 0; i < n; i++) {
 		struct leave_out_shift s =
-		    shift_of_free_cell(l, cell[i], level);
+		    shift_of_cell_left_out(l, cell[i], level);
 		bool first = s.gain == worst.gain && s.cell < worst.cell;
 		if (isfinite(s.z) && (s.gain > worst.gain || first))
 			worst = s;
@@ -377,7 +377,7 @@ void
 leave_out_remove_cell(struct leave_out *l, size_t cell)
 {
 	l->dropped[cell] = true;
-	free_or_fix_cell(l, cell, 1);
+	set_cell_left_out(l, cell, 1);
 }
 
 size_t

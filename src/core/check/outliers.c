@@ -79,7 +79,7 @@ find_feeds_swapped_with_products(
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		struct mend m = {.kind = MEND_SWAP, .run = r};
+		struct mend m = {.kind = MEND_SWAP_FEED, .run = r};
 		if (run->product.n == 0 ||
 		    (site->individual_feeds && run->lacks_feed) ||
 		    !is_coarser_than_feed(&run->product, &run->feed))
@@ -148,7 +148,7 @@ find_exchanged_products(struct outlier_findings *d, const struct site *site)
 	for (size_t i = 0; i < site->n_run && before > much; i++)
 		for (size_t k = i + 1; k < site->n_run; k++) {
 			struct mend m = {
-			    .kind = MEND_WITH, .run = i, .other = k};
+			    .kind = MEND_SWAP_RUNS, .run = i, .other = k};
 			if (site->individual_feeds ||
 			    site->run[i].product.n == 0 ||
 			    site->run[k].product.n == 0 ||
@@ -164,7 +164,7 @@ find_exchanged_products(struct outlier_findings *d, const struct site *site)
 				best = m;
 			}
 		}
-	if (best.kind != MEND_WITH)
+	if (best.kind != MEND_SWAP_RUNS)
 		return;
 	struct finding *f = add_outlier_finding(d, best);
 	f->off[0] = before;

@@ -327,7 +327,7 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	    .parameters = fit->parameters,
 	    .rmse = fit->rmse,
 	    .like_feed = trust_is_no_product_finer(site) ||
-			 fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit,
+			 fit->misfit > (1 - FIT_LEAST_GAIN) * fit->feed_misfit,
 	    .discrepancy = NAN,
 	    .sampling = NAN,
 	    .more = NAN,

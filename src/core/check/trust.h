@@ -29,7 +29,7 @@ extern const char *const LIGHT_NAME[3];
 
 /* If the fit lowers the null model's misfit by less than this share, the
  * products cannot be distinguished from the feed. */
-#define FIT_NOTHING 0.5
+#define FIT_LEAST_GAIN 0.5
 
 /* True if there can be no band, because the fit is poor and has at most two
  * speeds.  Two points do not show how the discrepancy bends between them. */

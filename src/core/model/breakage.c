@@ -138,7 +138,7 @@ specific_energy_at_speed(double v)
 }
 
 size_t
-params_index_of_largest(const struct params *p)
+params_largest_gauge_index(const struct params *p)
 {
 	size_t largest = 0, gauge = breakage_model_of_params(p)->gauge;
 	for (size_t j = 1; j < gauge; j++)
@@ -150,7 +150,7 @@ params_index_of_largest(const struct params *p)
 double
 params_largest_of_gauge(const struct params *p)
 {
-	size_t j = params_index_of_largest(p);
+	size_t j = params_largest_gauge_index(p);
 	return j < PARAMS_MOST ? fabs(p->at[j]) : 0;
 }
 

@@ -143,7 +143,7 @@ double specific_energy_at_speed(double v);
 
 /* Returns the index of the parameter in the gauge with the largest absolute
  * value, the first of several, or PARAMS_MOST if there is no gauge. */
-size_t params_index_of_largest(const struct params *p);
+size_t params_largest_gauge_index(const struct params *p);
 
 /* Returns that largest absolute value, or 0 if there is no gauge. */
 double params_largest_of_gauge(const struct params *p);

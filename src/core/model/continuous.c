@@ -102,7 +102,8 @@ find_panel_ends_for_impacts(struct continuous_solver *c)
 		bool end = j == 0 || j + 1 == of->n;
 		b.E = of->ratio[j] * c->b->E;
 		for (size_t i = 0; i < (end ? STOPS : 1); i++)
-			stop[n++] = selection_size_at_exponent(&b, STOP_AT[i]);
+			stop[n++] =
+			    selection_log_size_at_exponent(&b, STOP_AT[i]);
 	}
 	/* psd_sort_distinct_sizes puts the largest first. */
 	c->n_stop = psd_sort_distinct_sizes(stop, n, 1e-9);
@@ -114,7 +115,7 @@ static void
 find_quadrature_panel_ends(struct continuous_solver *c)
 {
 	for (size_t i = 0; i < STOPS; i++)
-		c->stop[i] = selection_size_at_exponent(c->b, STOP_AT[i]);
+		c->stop[i] = selection_log_size_at_exponent(c->b, STOP_AT[i]);
 	c->n_stop = STOPS;
 	if (c->b->impacts.n > 0)
 		find_panel_ends_for_impacts(c);

@@ -15,7 +15,7 @@ selection_at_log_size(const struct breaker *b, double log_x, double *d)
 }
 
 double
-selection_size_at_exponent(const struct breaker *b, double exponent)
+selection_log_size_at_exponent(const struct breaker *b, double exponent)
 {
 	const double beyond = 1e3, *q = b->p.at + b->model->strength;
 	double f = q[0] * b->k;

@@ -92,7 +92,7 @@ double selection_at_log_size(const struct breaker *b, double log_x, double *d);
 /* Returns the ln x at which -ln(1 - S) equals `exponent`, for the ends of
  * panels in integrals of S.  It rises with the exponent; at 0 it is ln of the
  * break size.  Returns -1000 or 1000 if no size has this exponent. */
-double selection_size_at_exponent(const struct breaker *b, double exponent);
+double selection_log_size_at_exponent(const struct breaker *b, double exponent);
 
 /* Returns the size, m, where S begins: 0 if every size breaks, INFINITY if none
  * does, as with alpha = 0 and E <= E0_min.

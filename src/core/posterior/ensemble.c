@@ -170,7 +170,7 @@ use_narrowest_exact_model(struct ensemble *e, struct params fit)
  * together with the measured speeds, and 2 % apart beyond this range, down to a
  * fifth of the slowest and up to five times the fastest. */
 static void
-lay_speed_grid(struct ensemble *e)
+make_speed_grid(struct ensemble *e)
 {
 	const struct posterior *p = e->of;
 	const double apart = 0.02;
@@ -218,7 +218,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		e->part[i] = xcalloc_doubles((n + 1) * DRAWS);
 	find_knots_of_sieves(e, size);
-	lay_speed_grid(e);
+	make_speed_grid(e);
 	psd_free(&curve);
 	return e;
 }
@@ -308,7 +308,7 @@ selection_of_coarsest_size(
 /* Computes left [DRAWS], the share of each draw's correction that remains at
  * speed v, 0..1.  Returns the speed at which to compute the correction. */
 static double
-share_of_correction_left(const struct posterior *p, double v, double *left)
+compute_correction_left(const struct posterior *p, double v, double *left)
 {
 	double at = fmax(v, SLOW * p->speed[0]);
 	for (size_t d = 0; d < DRAWS; d++) {
@@ -346,7 +346,7 @@ static void
 fill_discrepancy_at_knots(struct ensemble *e, double v)
 {
 	const struct posterior *p = e->of;
-	double left[DRAWS], at = share_of_correction_left(p, v, left);
+	double left[DRAWS], at = compute_correction_left(p, v, left);
 	double t = discrepancy_speed_to_t(at, p->middle);
 	double factor[DISCREPANCY_TERMS][DRAWS];
 	for (size_t d = 0; d < DRAWS; d++) {
@@ -622,7 +622,7 @@ compute_draws_between_runs(struct ensemble *e, double v, size_t k)
 }
 
 double
-ensemble_effect_of_speed_errors(const struct posterior *p)
+ensemble_speed_error_factor(const struct posterior *p)
 {
 	return sqrt(1 + 1 / (double)p->n_speed);
 }
@@ -644,7 +644,7 @@ ensemble_speed_error_of_draw(size_t draw)
 double
 ensemble_true_speed_of_draw(const struct posterior *p, size_t draw, double v)
 {
-	return v * (1 + p->speed_sd * ensemble_effect_of_speed_errors(p) *
+	return v * (1 + p->speed_sd * ensemble_speed_error_factor(p) *
 			    ensemble_speed_error_of_draw(draw));
 }
 

@@ -44,7 +44,7 @@ void ensemble_set_speed_as_drawn(struct ensemble *e, double v);
 /* Returns the total speed error in an answer, in errors of one stated speed:
  * that of the speed asked about, combined with that of the mean speed of the
  * runs that inform the draws. */
-double ensemble_effect_of_speed_errors(const struct posterior *p);
+double ensemble_speed_error_factor(const struct posterior *p);
 
 /* Returns the error of the stated speeds in a draw, in standard deviations. */
 double ensemble_speed_error_of_draw(size_t draw);

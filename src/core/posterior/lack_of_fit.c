@@ -43,7 +43,7 @@ estimate_shared_error(const struct posterior *p, const struct misfit *m)
 /* Returns the share of residuals r [n] that belongs to the product and not to
  * the sample. */
 static double
-product_error_share(const double *r, const double *h, size_t n, double shared)
+share_due_to_product(const double *r, const double *h, size_t n, double shared)
 {
 	double along = 0, squares = 0, explained = 2 * shared;
 	for (size_t i = 0; i < n; i++) {
@@ -139,7 +139,7 @@ lack_of_fit_find(struct posterior *p, const struct misfit *m)
 	       shared = estimate_shared_error(p, m);
 	for (size_t j = 0, at = 0; j < m->n_run; at += m->run[j++].n)
 		share[j] =
-		    product_error_share(r + at, h + at, m->run[j].n, shared);
+		    share_due_to_product(r + at, h + at, m->run[j].n, shared);
 	p->lack = xcalloc_doubles(p->n_speed * p->n_knot);
 	add_shares_of_residuals(p, m, r, h, share);
 	free(share);

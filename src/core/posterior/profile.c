@@ -17,7 +17,7 @@ static void
 bounds_fix_gauge(struct bounds *b, const struct params *p)
 {
 	size_t gauge = breakage_model_of_params(p)->gauge;
-	size_t largest = params_index_of_largest(p);
+	size_t largest = params_largest_gauge_index(p);
 	for (size_t i = 0; i < gauge; i++) {
 		double size = fabs(p->at[largest]);
 		b->lower[i] = i == largest ? p->at[i] : -size;

@@ -8,7 +8,7 @@
 #include "base/xalloc.h"
 
 struct psd
-blend_all_sieves(const struct psd *const *curve, size_t n)
+blend_list_sieves(const struct psd *const *curve, size_t n)
 {
 	size_t room = 0;
 	for (size_t i = 0; i < n; i++)
@@ -25,7 +25,7 @@ blend_all_sieves(const struct psd *const *curve, size_t n)
 struct psd
 blend_new(const struct psd *const *feed, const double *part, size_t n)
 {
-	struct psd blend = blend_all_sieves(feed, n);
+	struct psd blend = blend_list_sieves(feed, n);
 	double sum = 0;
 	for (size_t i = 0; i < n; i++)
 		sum += part[i];
@@ -66,7 +66,7 @@ blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 {
 	FREED const struct psd **own = xcalloc(n, sizeof *own);
 	n = find_distinct_feeds(feed, n, own);
-	struct psd mean = blend_all_sieves(own, n);
+	struct psd mean = blend_list_sieves(own, n);
 	for (size_t k = 0; k < mean.n; k++) {
 		double x = mean.size[k], above = k > 0 ? mean.size[k - 1] : x;
 		double here = 0, before = 0;
@@ -91,7 +91,7 @@ blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 double
 blend_largest_difference(const struct psd *const *feed, size_t n, double *sieve)
 {
-	struct psd all = blend_all_sieves(feed, n);
+	struct psd all = blend_list_sieves(feed, n);
 	double most = 0;
 	*sieve = 0;
 	for (size_t k = 0; k < all.n; k++) {

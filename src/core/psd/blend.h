@@ -10,7 +10,7 @@
 
 /* Returns the sieves of all curves [n], coarsest first, each once, with
  * passings of 0.  Free with psd_free. */
-struct psd blend_all_sieves(const struct psd *const *curve, size_t n);
+struct psd blend_list_sieves(const struct psd *const *curve, size_t n);
 
 /* Returns the blend of feeds [n], each passing 1 on its coarsest sieve, in
  * parts by mass, each > 0, with any sum.  Its sieves are those of all feeds,

@@ -47,7 +47,7 @@ largest_step_of_curve(const struct quantity *q, const struct psd *curve)
 }
 
 int
-quantity_change_if_finer(const struct quantity *q)
+quantity_sign_if_finer(const struct quantity *q)
 {
 	const struct fraction *f = &q->fraction;
 	bool whole = !fraction_is_screened(f);
@@ -106,7 +106,7 @@ quantity_read_off_curve(
 /* Returns how much less than `share` passes the size; negative if more does, or
  * NAN if the passing there is not known. */
 static double
-share_coarser_than(const struct psd *curve, double share, double size)
+shortfall_at_size(const struct psd *curve, double share, double size)
 {
 	bool known = size > 0 && psd_covers_size(curve, size);
 	return known ? share - psd_passing(curve, size) : NAN;
@@ -124,12 +124,12 @@ quantity_excess_as_passing(const struct quantity *q, double limit, double value,
 	case QUANTITY_MODULUS:
 		return (value - limit) / (double)q->modulus->n;
 	case QUANTITY_SIZE:
-		return share_coarser_than(curve, q->x, limit);
+		return shortfall_at_size(curve, q->x, limit);
 	case QUANTITY_UNIFORMITY:
-		return share_coarser_than(
+		return shortfall_at_size(
 		    curve, 0.6, limit * psd_size_at_passing(curve, 0.1));
 	case QUANTITY_CURVATURE:
-		return share_coarser_than(curve, 0.3,
+		return shortfall_at_size(curve, 0.3,
 		    sqrt(limit * psd_size_at_passing(curve, 0.6) *
 			 psd_size_at_passing(curve, 0.1)));
 	}

@@ -51,7 +51,7 @@ struct quantity {
 /* Returns 1 if the quantity can only rise as the product gets finer, as a
  * passing and the share of 0/4 do; -1 if it can only fall, as a size does; 0 if
  * it may do either. */
-int quantity_change_if_finer(const struct quantity *q);
+int quantity_sign_if_finer(const struct quantity *q);
 
 bool quantity_is_same(const struct quantity *a, const struct quantity *b);
 

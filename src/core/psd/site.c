@@ -25,7 +25,7 @@ site_new(size_t n_run)
 }
 
 void
-site_add_note(
+site_notes_append(
     struct site_note **list, size_t *n, const char *key, const char *value)
 {
 	*list = xrealloc(*list, *n + 1, sizeof **list);
@@ -89,10 +89,10 @@ site_copy(const struct site *from)
 	for (size_t r = 0; r < from->n_run; r++)
 		to->run[r] = run_copy(&from->run[r]);
 	for (size_t i = 0; i < from->n_note; i++)
-		site_add_note(&to->note, &to->n_note, from->note[i].key,
+		site_notes_append(&to->note, &to->n_note, from->note[i].key,
 		    from->note[i].value);
 	for (size_t i = 0; i < from->n_left_out; i++)
-		site_add_note(&to->left_out, &to->n_left_out,
+		site_notes_append(&to->left_out, &to->n_left_out,
 		    from->left_out[i].key, from->left_out[i].value);
 	return to;
 }
@@ -342,7 +342,7 @@ site_all_sieves(const struct site *site, size_t *n)
 	    xcalloc(2 * site->n_run, sizeof *curve);
 	for (size_t i = 0; i < 2 * site->n_run; i++)
 		curve[i] = site_feed_or_product(site, i / 2, i % 2 == 0);
-	struct psd all = blend_all_sieves(curve, 2 * site->n_run);
+	struct psd all = blend_list_sieves(curve, 2 * site->n_run);
 	free(all.passing);
 	*n = all.n;
 	return all.size;

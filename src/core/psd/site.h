@@ -136,7 +136,7 @@ double *site_all_sieves(const struct site *site, size_t *n);
 double site_finest_sieve_all_pass(const struct site *site);
 
 /* Appends a note to a list of n. */
-void site_add_note(
+void site_notes_append(
     struct site_note **list, size_t *n, const char *key, const char *value);
 
 struct psd *site_feed_or_product(

@@ -142,7 +142,7 @@ tabulate_nodes_of_runs(const struct lane_model *m, struct block *b,
 
 /* Returns x^alpha at ln x = t. */
 static inline lanes
-lanes_size_to_alpha(const struct block *b, lanes t)
+lanes_size_pow_alpha(const struct block *b, lanes t)
 {
 	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_broadcast(708)));
 }
@@ -219,7 +219,7 @@ broken_share_of_split_class(const struct block *b,
 	struct broken_share sum = {lanes_broadcast(0), lanes_broadcast(0)};
 	for (size_t q = 0; q < g->n; q++) {
 		lanes t = upper - width * g->from_top[q];
-		add_gauss_point(&sum, b, run->E, lanes_size_to_alpha(b, t),
+		add_gauss_point(&sum, b, run->E, lanes_size_pow_alpha(b, t),
 		    lanes_broadcast(g->weight[q]), t - plan->middle[c]);
 	}
 	lanes scale = run->mass[c] * width;
@@ -259,7 +259,7 @@ compute_broken_shares_of_class(const struct block *b,
 		bool whole = lanes_all(from <= lower);
 		double width = upper - lower;
 		for (size_t q = 0; whole && !have_power && q < g->n; q++)
-			power[q] = lanes_size_to_alpha(
+			power[q] = lanes_size_pow_alpha(
 			    b, lanes_broadcast(upper - width * g->from_top[q]));
 		have_power = have_power || whole;
 		struct broken_share part =

@@ -23,7 +23,7 @@ static void
 find_movable_params(struct sensitivity *s, const struct params *p,
     const struct bounds *b, bool inward)
 {
-	size_t held = params_index_of_largest(p);
+	size_t held = params_largest_gauge_index(p);
 	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++) {
 		bool fixed = !(b->upper[j] > b->lower[j]);
 		s->range[j] = bounds_range_of_param(b, p, j);

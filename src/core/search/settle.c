@@ -50,7 +50,7 @@ static void
 list_moving_columns(struct newton *w, const struct params *p)
 {
 	const struct breakage *of = breakage_model_of_params(p);
-	size_t held = params_index_of_largest(p);
+	size_t held = params_largest_gauge_index(p);
 	w->n = 0;
 	for (size_t j = 0; j < of->n; j++) {
 		double lower = w->bounds->lower[j], upper = w->bounds->upper[j];

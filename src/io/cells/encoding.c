@@ -146,7 +146,7 @@ encoding_decode(const char *bytes, size_t n)
  * accents: utf8proc sorts these by exchanging neighbours, which would take too
  * long for a million of them. */
 static bool
-has_few_enough_accents(const char *text)
+should_compose_letters(const char *text)
 {
 	enum { MOST_MARKS = 30 };
 	bool plain = true;
@@ -166,7 +166,7 @@ char *
 encoding_to_nfc(const char *text)
 {
 	utf8proc_uint8_t *composed =
-	    has_few_enough_accents(text)
+	    should_compose_letters(text)
 		? utf8proc_NFC((const utf8proc_uint8_t *)text)
 		: NULL;
 	if (composed == NULL)

@@ -149,7 +149,7 @@ find_columns(const struct line *line, size_t n)
 }
 
 static size_t
-distance(const struct span *a, const struct span *b)
+span_distance(const struct span *a, const struct span *b)
 {
 	return a->left >= b->right   ? a->left - b->right + 1
 	       : b->left >= a->right ? b->left - a->right + 1
@@ -165,8 +165,9 @@ column_of_cell(const struct grid_columns *g, const struct span *cell)
 	for (size_t i = 0; i < g->n; i++) {
 		size_t a = cell->left + cell->right;
 		size_t b = g->column[i].left + g->column[i].right;
-		size_t off = distance(cell, &g->column[i]) * MOST_WIDE * 4 +
-			     (a > b ? a - b : b - a);
+		size_t off =
+		    span_distance(cell, &g->column[i]) * MOST_WIDE * 4 +
+		    (a > b ? a - b : b - a);
 		if (off < least) {
 			least = off;
 			best = i;

@@ -252,7 +252,7 @@ number_set_decimal_sign(struct sheet *sheet, char sign)
 }
 
 struct cell
-number_cell_from_text(const struct sheet *sheet, struct cell cell, char *text)
+number_cell_with_text(const struct sheet *sheet, struct cell cell, char *text)
 {
 	cell.kind = CELL_TEXT;
 	cell.text = text;

@@ -18,7 +18,7 @@ void number_find_in_all_cells(struct sheet *sheet);
 
 /* Returns a copy of the cell with another text and the number in it.  The text
  * is not copied. */
-struct cell number_cell_from_text(
+struct cell number_cell_with_text(
     const struct sheet *sheet, struct cell cell, char *text);
 
 /* Reads the number in a cell, with the decimal sign of the sheet; the other

@@ -19,7 +19,7 @@
 /* The columns of a terminal, less one for its edge. */
 enum { SCREEN = 79 };
 
-/* spare [n_column]: see answer_column_to_spare. */
+/* spare [n_column]: see answer_optional_column. */
 struct table {
 	size_t n_column, n_cell;
 	char **key, **head;
@@ -167,7 +167,7 @@ answer_column(struct answer *a, const char *key, const char *head)
 }
 
 void
-answer_column_to_spare(
+answer_optional_column(
     struct answer *a, const char *key, const char *head, int spare)
 {
 	add_column(a, key, head, spare);
@@ -818,7 +818,7 @@ lay_out_table_columns(const struct table *t, int room)
 }
 
 static void
-free_column_widths(struct form *f)
+free_form(struct form *f)
 {
 	free(f->width);
 	free(f->number);
@@ -1085,7 +1085,7 @@ print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 			break;
 		fputc('\n', out);
 	}
-	free_column_widths(&f);
+	free_form(&f);
 	for (size_t i = 0; i < a->n_sentence; i++)
 		text_print_wrapped(a->sentence[i].text, 0, SCREEN, out);
 	answer_free(a);
@@ -1148,7 +1148,7 @@ print_markdown_rows(const struct table *t, FILE *out)
 			fprintf(out, "%s", f.number[c] ? "|--:" : "|---");
 		fputs("|\n", out);
 	}
-	free_column_widths(&f);
+	free_form(&f);
 }
 
 static size_t

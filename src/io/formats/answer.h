@@ -65,7 +65,7 @@ void answer_column(struct answer *answer, const char *key, const char *head);
  * that has no room for the whole table, columns whose `spare` is not 0 are left
  * out, those with the largest first, and the text says so, instead of
  * continuing in a second block.  Files have all columns. */
-void answer_column_to_spare(
+void answer_optional_column(
     struct answer *answer, const char *key, const char *head, int spare);
 
 /* Sets the width of a table for people; 80 by default. */

@@ -107,7 +107,7 @@ book_new(struct error *error)
 }
 
 static void
-free_about_lines(struct book *b)
+close_and_free_book(struct book *b)
 {
 	for (size_t i = 0; i < 2 * b->n_about; i++)
 		free(b->about[i]);
@@ -122,7 +122,7 @@ book_free(struct book *b)
 	if (b == NULL)
 		return;
 	lxw_workbook_free(b->workbook);
-	free_about_lines(b);
+	close_and_free_book(b);
 }
 
 /* A sheet on which rows are written from the top. */
@@ -485,6 +485,6 @@ book_finish_to_bytes(struct book *b, size_t *n, struct error *error)
 		    "cannot put the workbook together: %s\n"
 		    "set TMPDIR to a folder with free space",
 		    errno != 0 ? strerror(errno) : lxw_strerror(code));
-	free_about_lines(b);
+	close_and_free_book(b);
 	return bytes;
 }

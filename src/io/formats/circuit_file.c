@@ -39,7 +39,7 @@ cell_with_part_of_text(
 	while (*from == ' ' || *from == '\t')
 		from++;
 	cell.column += (int)(from - cell.text);
-	return number_cell_from_text(r->sheet, cell, text_trim(from));
+	return number_cell_with_text(r->sheet, cell, text_trim(from));
 }
 
 static bool

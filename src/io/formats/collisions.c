@@ -442,7 +442,7 @@ collisions_read_table(struct reading *r)
 }
 
 static bool
-read_open_collisions(struct reading *r)
+read_collisions_stream(struct reading *r)
 {
 	if (!read_next_line(r))
 		return fault(r, ERROR_DATA, "expected collisions, got nothing",
@@ -470,7 +470,7 @@ collisions_read(const char *path, const struct collisions_way *way,
 	if (!ok)
 		error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
 		    "cannot read: %s\n%s", why, hint);
-	ok = ok && read_open_collisions(&r);
+	ok = ok && read_collisions_stream(&r);
 	if (ok && ferror(r.in))
 		ok = fault(&r, ERROR_SYSTEM, "cannot be read to its end",
 		    "check the disk");

@@ -23,7 +23,7 @@ static const struct kind {
     {"validate", "source", NULL, PART_NUMBERS, {NULL}}};
 
 static bool
-refuse_parts_file(const char *path, struct error *error)
+fault_not_parts_file(const char *path, struct error *error)
 {
 	return error_at(error, ERROR_DATA, path, 0, 0,
 	    "expected what 'calibrate all part=I/N' or 'validate all part=I/N' "
@@ -120,7 +120,7 @@ parts_read_file(const char *path, struct parts *parts, struct error *error)
 	       json_error_code(&about) == json_error_premature_end_of_input;
 	bool read = !ferror(in);
 	fclose(in);
-	return (good && read) || refuse_parts_file(path, error);
+	return (good && read) || fault_not_parts_file(path, error);
 }
 
 void
@@ -192,7 +192,7 @@ parts_check_and_sort(struct parts *parts, struct error *error)
 	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
 		if (part->number < 1 || part->number > part->of)
-			return refuse_parts_file(part->path, error);
+			return fault_not_parts_file(part->path, error);
 		if (!check_parts_alike(&parts->part[0], part, error))
 			return false;
 	}

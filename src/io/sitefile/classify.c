@@ -662,7 +662,7 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 		if (strcmp(site->left_out[i].key, where) == 0 &&
 		    strcmp(site->left_out[i].value, what) == 0)
 			return;
-	site_add_note(&site->left_out, &site->n_left_out, where, what);
+	site_notes_append(&site->left_out, &site->n_left_out, where, what);
 }
 
 /* True if a column counts 1, 2, 3 and so on, up or down, or has the same number
@@ -686,7 +686,7 @@ is_column_count_or_constant(const struct column *c, const struct shape *s)
 /* Leaves out a column that is not a sample, and notes why.  Returns true if it
  * was left out. */
 static bool
-leave_out_no_sample(const struct column *c, struct site *site)
+leave_out_if_no_sample(const struct column *c, struct site *site)
 {
 	struct shape s = summarise_column_numbers(c);
 	bool words = s.numbers * 2 < s.filled;
@@ -804,8 +804,8 @@ classify_columns(struct table *t, const struct surroundings *near,
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
 		bool named = around.samples->n > 0;
-		bool sheet = samples_name_sheet(around.samples, t->sheet);
-		if (((!named || sheet) && leave_out_no_sample(&c, site)) ||
+		bool sheet = samples_is_sheet_named(around.samples, t->sheet);
+		if (((!named || sheet) && leave_out_if_no_sample(&c, site)) ||
 		    (named && !samples_apply_to_column(around.samples, &c)))
 			continue;
 		find_role_of_column(&c, &around);
@@ -976,7 +976,7 @@ open_if_other_site(struct columns *all, const struct table *t, size_t r)
 }
 
 static void
-ask_about_other_sites(struct columns *all)
+open_samples_of_other_sites(struct columns *all)
 {
 	const struct table *t = NULL;
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
@@ -993,7 +993,7 @@ ask_about_other_sites(struct columns *all)
 }
 
 static void
-ask_about_repeats(struct columns *all)
+open_unlike_repeats(struct columns *all)
 {
 	FREED char **words = xcalloc(all->n, sizeof(*words));
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
@@ -1213,8 +1213,8 @@ classify_columns_together(
 	set_feed_for_all_runs(all);
 	pair_feeds_with_products(all);
 	if (!told) {
-		ask_about_repeats(all);
-		ask_about_other_sites(all);
+		open_unlike_repeats(all);
+		open_samples_of_other_sites(all);
 	}
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		struct column *c = &all->column[i];

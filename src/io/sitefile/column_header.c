@@ -469,7 +469,7 @@ number_before(const char *text, const char *p)
 }
 
 struct head
-heading_parse_name(const char *name)
+heading_parse_file_name(const char *name)
 {
 	static const char *const WRITTEN[] = {"ms", "m s", "m-s", "m.s"};
 	FREED char *text = text_fold_case_and_accents(name);

@@ -37,7 +37,7 @@ struct head heading_parse(const char *text);
 
 /* Parses the name of a sheet or file.  Such names cannot contain a /, so
  * "cut_60ms" and "VSI 60 m-s" state 60 m/s. */
-struct head heading_parse_name(const char *name);
+struct head heading_parse_file_name(const char *name);
 
 /* True if a heading states a speed, in any unit. */
 bool heading_has_speed(const struct head *head);

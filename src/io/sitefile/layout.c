@@ -52,7 +52,7 @@ struct place {
  * by row: the first column, from this one on, that has a number, or n_col.  phi
  * [n_col]: the sizes of the column are in phi.  place [n_place]: the tables
  * found. */
-struct sheets {
+struct sheet_grid {
 	struct sheet *sheet;
 	bool across;
 	size_t n_row, n_col, down, right;
@@ -65,39 +65,39 @@ struct sheets {
 };
 
 static void
-add_table_place(struct sheets *g, struct place p)
+add_table_place(struct sheet_grid *g, struct place p)
 {
 	if (g->n_place < MOST_TABLES)
 		g->place[g->n_place++] = p;
 }
 
 static size_t
-cell_index_at(const struct sheets *g, size_t r, size_t c)
+cell_index_at(const struct sheet_grid *g, size_t r, size_t c)
 {
 	return r * g->down + c * g->right;
 }
 
 static struct cell *
-cell_at(const struct sheets *g, size_t r, size_t c)
+cell_at(const struct sheet_grid *g, size_t r, size_t c)
 {
 	return &g->at[cell_index_at(g, r, c)];
 }
 
 static struct nature *
-cell_nature_at(const struct sheets *g, size_t r, size_t c)
+cell_nature_at(const struct sheet_grid *g, size_t r, size_t c)
 {
 	return &g->nature[cell_index_at(g, r, c)];
 }
 
 /* Returns the number of a column in the sheet, or of a line if across. */
 static size_t
-column_number(const struct sheets *g, size_t c)
+column_number(const struct sheet_grid *g, size_t c)
 {
 	return g->across ? (size_t)g->sheet->row[c].line : c + 1;
 }
 
 static bool
-is_cell_filled(const struct sheets *g, size_t r, size_t c)
+is_cell_filled(const struct sheet_grid *g, size_t r, size_t c)
 {
 	return cell_at(g, r, c)->text[0] != '\0';
 }
@@ -115,7 +115,7 @@ has_only_comments_between(
 }
 
 static bool
-is_cell_in_box(struct site_box box, int line, size_t column)
+is_cell_in_range(struct cell_range box, int line, size_t column)
 {
 	return box.bottom == 0 ||
 	       (line >= box.top && line <= box.bottom &&
@@ -176,7 +176,7 @@ guess_cell_nature(
 
 /* Finds what each cell can be. */
 static void
-fill_cell_natures(struct sheets *g)
+fill_cell_natures(struct sheet_grid *g)
 {
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
@@ -188,7 +188,7 @@ fill_cell_natures(struct sheets *g)
 }
 
 static void
-find_next_number_beside_cells(struct sheets *g)
+find_next_number_beside_cells(struct sheet_grid *g)
 {
 	double v;
 	g->number = xcalloc(g->n_row * g->n_col + 1, sizeof *g->number);
@@ -203,10 +203,11 @@ find_next_number_beside_cells(struct sheets *g)
 	}
 }
 
-static struct sheets
+static struct sheet_grid
 copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 {
-	struct sheets g = {.sheet = sheet, .n_row = sheet->n_row, .right = 1};
+	struct sheet_grid g = {
+	    .sheet = sheet, .n_row = sheet->n_row, .right = 1};
 	size_t comment = 0;
 	for (size_t r = 0; r < g.n_row; r++)
 		g.n_col = sheet->row[r].n > g.n_col ? sheet->row[r].n : g.n_col;
@@ -221,7 +222,7 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 					row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = row_cell_at(row, c);
-			if (!is_cell_in_box(range.box, row->line, c + 1))
+			if (!is_cell_in_range(range.box, row->line, c + 1))
 				cell = row_cell_at(row, row->n_all);
 			*cell_at(&g, r, c) = cell;
 		}
@@ -232,7 +233,7 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 /* Changes "In" to "feed" if there is an "Out" beside it; otherwise it means
  * inch. */
 static void
-mark_in_beside_out_as_feed(struct sheets *g)
+mark_in_beside_out_as_feed(struct sheet_grid *g)
 {
 	static char feed[] = "feed";
 	for (size_t r = 0; r < g->n_row; r++) {
@@ -281,7 +282,7 @@ count_distinct_size_below(struct sizes_below *below, const char *size)
  * numbers there for what passes them.  "< 16" alone, or again and again in a
  * long table, is the pan. */
 static void
-mark_sizes_below_as_sieves(struct sheets *g)
+mark_sizes_below_as_sieves(struct sheet_grid *g)
 {
 	enum { LEAST = 3 };
 	FREED struct sizes_below *row = xcalloc(g->n_row + 1, sizeof *row);
@@ -301,7 +302,7 @@ mark_sizes_below_as_sieves(struct sheets *g)
 			if (size == NULL ||
 			    (row[r].n < LEAST && col[c].n < LEAST))
 				continue;
-			*cell = number_cell_from_text(g->sheet, *cell, size);
+			*cell = number_cell_with_text(g->sheet, *cell, size);
 			cell_nature_at(g, r, c)->below = true;
 		}
 }
@@ -310,7 +311,7 @@ mark_sizes_below_as_sieves(struct sheets *g)
  * column of row numbers: the headings are one cell short, and the lines below
  * begin with 1, 2, 3. */
 static void
-shift_headings_by_one(struct sheets *g)
+shift_headings_by_one(struct sheet_grid *g)
 {
 	size_t h = 0, wide = g->n_col;
 	double v;
@@ -330,10 +331,10 @@ shift_headings_by_one(struct sheets *g)
 }
 
 /* Returns the transposed grid, which has the same cells. */
-static struct sheets
-transpose_grid(const struct sheets *g)
+static struct sheet_grid
+transpose_grid(const struct sheet_grid *g)
 {
-	struct sheets t = {.sheet = g->sheet,
+	struct sheet_grid t = {.sheet = g->sheet,
 	    .across = true,
 	    .n_row = g->n_col,
 	    .n_col = g->n_row,
@@ -348,7 +349,7 @@ transpose_grid(const struct sheets *g)
 }
 
 static void
-free_grid(struct sheets *g)
+free_grid(struct sheet_grid *g)
 {
 	free(g->gap);
 	free(g->phi);
@@ -362,7 +363,7 @@ free_grid(struct sheets *g)
 /* True if the numbers below a heading that says only "number" are those of ASTM
  * E11 sieves: 4, 8, 16, but not 4, 5, 6, which count something. */
 static bool
-has_astm_sieve_numbers(const struct sheets *g, size_t r, size_t c)
+has_astm_sieve_numbers(const struct sheet_grid *g, size_t r, size_t c)
 {
 	size_t n = 0;
 	double v, last = NAN, step = 0;
@@ -382,7 +383,7 @@ has_astm_sieve_numbers(const struct sheets *g, size_t r, size_t c)
 /* True for the unit of a value, as in "Rotor diameter | 990 | mm": it is the
  * last of the only three cells in its line. */
 static bool
-is_unit_after_value(const struct sheets *g, size_t r, size_t c)
+is_unit_after_value(const struct sheet_grid *g, size_t r, size_t c)
 {
 	double v;
 	size_t filled = 0;
@@ -395,7 +396,7 @@ is_unit_after_value(const struct sheets *g, size_t r, size_t c)
 }
 
 static bool
-is_sieve_head(const struct sheets *g, size_t r, size_t c)
+is_sieve_head(const struct sheet_grid *g, size_t r, size_t c)
 {
 	const struct nature *n = cell_nature_at(g, r, c);
 	bool number = (n->means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER;
@@ -406,7 +407,7 @@ is_sieve_head(const struct sheets *g, size_t r, size_t c)
 /* True if a heading states phi, and the numbers below it can be in phi.  The
  * letter also means a diameter. */
 static bool
-is_phi_head(const struct sheets *g, size_t r, size_t c)
+is_phi_head(const struct sheet_grid *g, size_t r, size_t c)
 {
 	double v;
 	if (!is_sieve_head(g, r, c) ||
@@ -420,7 +421,7 @@ is_phi_head(const struct sheets *g, size_t r, size_t c)
 }
 
 static enum sieve_kind
-sieve_kind_of_cell(const struct sheets *g, size_t r, size_t c, double *mm)
+sieve_kind_of_cell(const struct sheet_grid *g, size_t r, size_t c, double *mm)
 {
 	const struct sieve_unit phi = {0, SIEVE_PHI};
 	if (g->phi[c])
@@ -430,7 +431,7 @@ sieve_kind_of_cell(const struct sheets *g, size_t r, size_t c, double *mm)
 }
 
 static bool
-is_cell_of_sieve(const struct sheets *g, size_t r, size_t c)
+is_cell_of_sieve(const struct sheet_grid *g, size_t r, size_t c)
 {
 	double mm;
 	return sieve_kind_of_cell(g, r, c, &mm) != SIEVE_IS_NONE;
@@ -438,7 +439,7 @@ is_cell_of_sieve(const struct sheets *g, size_t r, size_t c)
 
 /* True if row r has a number after column c and before column `end`. */
 static bool
-has_number_beside(const struct sheets *g, size_t r, size_t c, size_t end)
+has_number_beside(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 {
 	return c + 1 < end && g->number[r * g->n_col + c + 1] < end;
 }
@@ -446,7 +447,7 @@ has_number_beside(const struct sheets *g, size_t r, size_t c, size_t end)
 /* Returns the next row below r, before any gap, that has a sieve and numbers
  * beside it; n_row if there is none. */
 static size_t
-next_sieve_row(const struct sheets *g, size_t r, size_t c, size_t end)
+next_sieve_row(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 {
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		if (is_sieve_head(g, r, c))
@@ -461,7 +462,7 @@ next_sieve_row(const struct sheets *g, size_t r, size_t c, size_t end)
 /* True if row r, immediately below the sieves, has numbers but no sieve, and is
  * not a remark. */
 static bool
-is_row_without_sieve(const struct sheets *g, size_t r, size_t c, size_t end)
+is_row_without_sieve(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 {
 	const char *text = cell_at(g, r, c)->text;
 	bool word =
@@ -473,7 +474,7 @@ is_row_without_sieve(const struct sheets *g, size_t r, size_t c, size_t end)
  * unless another sieve follows, and so does a line of sums.  The heading of
  * another table always ends it. */
 static void
-find_table_end(const struct sheets *g, struct place *p)
+find_table_end(const struct sheet_grid *g, struct place *p)
 {
 	int standard = 0;
 	size_t known = 0; /* the next sieve below a line of sums */
@@ -508,7 +509,7 @@ find_table_end(const struct sheets *g, struct place *p)
 /* Returns the column of the next heading of sieves in row r, or n_col.  Skips
  * one immediately beside column c, which has the same sieves in other words. */
 static size_t
-next_sieve_heading(const struct sheets *g, size_t r, size_t c)
+next_sieve_heading(const struct sheet_grid *g, size_t r, size_t c)
 {
 	size_t k = c + 2;
 	while (k < g->n_col && !is_sieve_head(g, r, k))
@@ -524,7 +525,7 @@ struct sequence {
 };
 
 static struct sequence
-sequence_of_sizes(const struct sheets *g, const struct place *p)
+sequence_of_sizes(const struct sheet_grid *g, const struct place *p)
 {
 	struct sequence s = {0};
 	double mm, last = NAN;
@@ -550,7 +551,7 @@ are_tables_overlapping(const struct place *a, const struct place *b)
  * classes, whose mass is retained on the lower end. */
 static bool
 are_ends_of_classes(
-    const struct sheets *g, const struct place *low, const struct place *up)
+    const struct sheet_grid *g, const struct place *low, const struct place *up)
 {
 	double a, b, last = NAN;
 	size_t n = 0, joined = 0;
@@ -570,7 +571,7 @@ are_ends_of_classes(
  * adjacent columns of sieves (No. and mm), only the one with more real sizes.
  * The other becomes a column of that table. */
 static void
-drop_duplicate_headings(struct sheets *g)
+drop_duplicate_headings(struct sheet_grid *g)
 {
 	size_t kept = 0;
 	for (size_t i = 0; i < g->n_place; i++) {
@@ -596,7 +597,7 @@ drop_duplicate_headings(struct sheets *g)
 
 /* Finds the tables below headings of sieves. */
 static void
-find_tables_with_headings(struct sheets *g)
+find_tables_with_headings(struct sheet_grid *g)
 {
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
@@ -628,7 +629,7 @@ find_tables_with_headings(struct sheets *g)
  * not the label of that line: there are several, or a number or a feed is
  * below. */
 static bool
-are_column_headings(const struct sheets *g, size_t r, size_t c)
+are_column_headings(const struct sheet_grid *g, size_t r, size_t c)
 {
 	if (r > 1 && is_cell_filled(g, r - 1, c))
 		return true;
@@ -640,7 +641,7 @@ are_column_headings(const struct sheets *g, size_t r, size_t c)
 /* True if the cell above the numbers, or at the start of their line, says that
  * they are times, remarks or speeds. */
 static bool
-is_heading_of_other_than_sieves(const struct sheets *g, size_t r, size_t c)
+is_heading_of_other_than_sieves(const struct sheet_grid *g, size_t r, size_t c)
 {
 	const uint64_t other = WORD_OTHER | WORD_SPEED;
 	if (r == 0 || (g->across && are_column_headings(g, r, c)))
@@ -650,7 +651,7 @@ is_heading_of_other_than_sieves(const struct sheets *g, size_t r, size_t c)
 }
 
 static bool
-is_pan_row(const struct sheets *g, size_t r, size_t c)
+is_pan_row(const struct sheet_grid *g, size_t r, size_t c)
 {
 	double mm;
 	return sieve_kind_of_cell(g, r, c, &mm) == SIEVE_IS_PAN &&
@@ -660,7 +661,7 @@ is_pan_row(const struct sheets *g, size_t r, size_t c)
 /* Finds tables without headings: numbers that only fall or only rise, but not
  * as a count does, and nearly all of which are sizes of real sieves. */
 static void
-find_headless_table(struct sheets *g)
+find_headless_table(struct sheet_grid *g)
 {
 	for (size_t c = 0; c < g->n_col && g->n_place == 0; c++)
 		for (size_t r = 0;
@@ -693,7 +694,7 @@ find_headless_table(struct sheets *g)
  * of phi, some below 0. */
 static size_t
 end_of_ordered_numbers(
-    const struct sheets *g, size_t r, size_t c, bool *sizes, bool *phi)
+    const struct sheet_grid *g, size_t r, size_t c, bool *sizes, bool *phi)
 {
 	double v, first = NAN, last = NAN, step = NAN, least = INFINITY,
 		  most = 0;
@@ -720,7 +721,7 @@ end_of_ordered_numbers(
 
 /* True if two columns have the same heading in the row above their numbers. */
 static bool
-has_same_heading(const struct sheets *g, size_t r, size_t c, size_t other)
+has_same_heading(const struct sheet_grid *g, size_t r, size_t c, size_t other)
 {
 	return r > 0 && is_cell_filled(g, r - 1, c) &&
 	       strcmp(cell_at(g, r - 1, c)->text,
@@ -731,7 +732,7 @@ has_same_heading(const struct sheets *g, size_t r, size_t c, size_t other)
  * be sizes and have numbers beside them.  *phi: they may be in phi. */
 static bool
 find_next_ordered_numbers(
-    const struct sheets *g, size_t c, struct place *p, bool *phi)
+    const struct sheet_grid *g, size_t c, struct place *p, bool *phi)
 {
 	for (size_t r = p->last;
 	     r < g->n_row && !error_should_stop(g->sheet->errors); r++) {
@@ -760,7 +761,7 @@ find_next_ordered_numbers(
  * first must have its heading.  They may be something else.  below_0: only
  * series in phi with values below 0. */
 static void
-find_tables_of_numbers(struct sheets *g, bool below_0)
+find_tables_of_numbers(struct sheet_grid *g, bool below_0)
 {
 	for (size_t c = 0; c + 1 < g->n_col; c++) {
 		struct place p = {.last = 0};
@@ -776,14 +777,14 @@ find_tables_of_numbers(struct sheets *g, bool below_0)
 }
 
 static void
-find_tables_of_any_numbers(struct sheets *g)
+find_tables_of_any_numbers(struct sheet_grid *g)
 {
 	find_tables_of_numbers(g, false);
 }
 
 /* Tried before find_headless_table, which would take sizes in phi for mm. */
 static void
-find_tables_of_phi_numbers(struct sheets *g)
+find_tables_of_phi_numbers(struct sheet_grid *g)
 {
 	find_tables_of_numbers(g, true);
 }
@@ -791,7 +792,7 @@ find_tables_of_phi_numbers(struct sheets *g)
 /* Finds the tables in a column that has sieves according to the user, each from
  * the first sieve with numbers beside it. */
 static void
-find_tables_in_column(struct sheets *g, size_t c)
+find_tables_in_column(struct sheet_grid *g, size_t c)
 {
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++) {
@@ -810,7 +811,8 @@ find_tables_in_column(struct sheets *g, size_t c)
 }
 
 static void
-find_tables_in_given_columns(struct sheets *g, const struct layout_range *range)
+find_tables_in_given_columns(
+    struct sheet_grid *g, const struct layout_range *range)
 {
 	g->n_place = 0;
 	for (size_t i = 0; i < range->n_sieves; i++)
@@ -826,7 +828,7 @@ find_tables_in_given_columns(struct sheets *g, const struct layout_range *range)
  * so there may be further headings above it. */
 static bool
 is_heading_of_all_columns(
-    const struct sheets *g, size_t r, const struct place *p, size_t end)
+    const struct sheet_grid *g, size_t r, const struct place *p, size_t end)
 {
 	const uint64_t all =
 	    WORD_PASSES | WORD_STAYS | WORD_PERCENT | WORD_GRAMS | WORD_MASS;
@@ -841,7 +843,7 @@ is_heading_of_all_columns(
  * describes the columns, and is neither a key with its value nor a title. */
 static bool
 is_further_heading_row(
-    const struct sheets *g, size_t r, const struct place *p, size_t end)
+    const struct sheet_grid *g, size_t r, const struct place *p, size_t end)
 {
 	size_t filled = 0;
 	for (size_t k = p->c + 1; k < end; k++)
@@ -867,7 +869,8 @@ is_further_heading_row(
 }
 
 static struct row
-make_table_row(const struct sheets *g, size_t r, const size_t *col, size_t n)
+make_table_row(
+    const struct sheet_grid *g, size_t r, const size_t *col, size_t n)
 {
 	struct row row = {.n = n, .n_all = n};
 	row.cell = xcalloc(n, sizeof *row.cell);
@@ -879,7 +882,7 @@ make_table_row(const struct sheets *g, size_t r, const size_t *col, size_t n)
 }
 
 static void
-add_table_row(const struct sheets *g, size_t r, const size_t *col, size_t n,
+add_table_row(const struct sheet_grid *g, size_t r, const size_t *col, size_t n,
     struct row **list, size_t *n_list)
 {
 	*list = xrealloc(*list, *n_list + 1, sizeof **list);
@@ -891,8 +894,8 @@ add_table_row(const struct sheets *g, size_t r, const size_t *col, size_t n,
 /* Lists the columns of a table that are not empty: its sieves, then those from
  * column `from` to before `end`.  Returns their number. */
 static size_t
-list_filled_columns(const struct sheets *g, const struct place *p, size_t from,
-    size_t end, size_t *col)
+list_filled_columns(const struct sheet_grid *g, const struct place *p,
+    size_t from, size_t end, size_t *col)
 {
 	size_t n = 0;
 	col[n++] = p->c;
@@ -946,7 +949,7 @@ fill_missing_sieve_cells(struct table *t)
  * speed of the only sample, as in "Ekeby; belt cut; 73 m/s", if the row is
  * above. */
 static void
-join_cells_beside_headings(const struct sheets *g, const struct place *p,
+join_cells_beside_headings(const struct sheet_grid *g, const struct place *p,
     size_t r, size_t end, bool above, struct table *t)
 {
 	struct row *head = &t->head[t->n_head - 1];
@@ -970,7 +973,7 @@ join_cells_beside_headings(const struct sheets *g, const struct place *p,
 
 /* True if row r, below the sieves, has the speeds of the samples. */
 static bool
-is_row_of_speeds(const struct sheets *g, size_t r, const struct place *p)
+is_row_of_speeds(const struct sheet_grid *g, size_t r, const struct place *p)
 {
 	struct head first = heading_parse(cell_at(g, r, p->c)->text);
 	bool speed =
@@ -985,8 +988,8 @@ is_row_of_speeds(const struct sheets *g, size_t r, const struct place *p)
 /* Adds the rows below the sieves: sums and the like to the foot, and speeds to
  * the headings, like those above the samples. */
 static void
-add_rows_below(const struct sheets *g, const struct place *p, const size_t *col,
-    size_t n, struct table *t)
+add_rows_below(const struct sheet_grid *g, const struct place *p,
+    const size_t *col, size_t n, struct table *t)
 {
 	for (size_t r = p->last; r < g->n_row; r++) {
 		if (cell_nature_at(g, r, p->c)->foot) {
@@ -1005,7 +1008,7 @@ add_rows_below(const struct sheets *g, const struct place *p, const size_t *col,
 }
 
 static void
-add_table_found(const struct sheets *g, const struct place *p, size_t from,
+add_table_found(const struct sheet_grid *g, const struct place *p, size_t from,
     size_t end, struct layout *layout)
 {
 	FREED size_t *col = xcalloc(g->n_col + 1, sizeof *col);
@@ -1052,7 +1055,7 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 }
 
 static void
-add_tables_to_layout(const struct sheets *g, struct layout *layout)
+add_tables_to_layout(const struct sheet_grid *g, struct layout *layout)
 {
 	for (size_t i = 0; i < g->n_place; i++) {
 		const struct place *p = &g->place[i];
@@ -1071,7 +1074,7 @@ add_tables_to_layout(const struct sheets *g, struct layout *layout)
 }
 
 static int
-total_table_score(const struct sheets *g)
+total_table_score(const struct sheet_grid *g)
 {
 	int score = 0;
 	for (size_t i = 0; i < g->n_place; i++)
@@ -1080,7 +1083,7 @@ total_table_score(const struct sheets *g)
 }
 
 static void
-list_rows_outside_tables(const struct sheets *g, struct layout *layout)
+list_rows_outside_tables(const struct sheet_grid *g, struct layout *layout)
 {
 	layout->heading = xcalloc(g->n_row + 1, sizeof(*layout->heading));
 	layout->read = xcalloc(g->n_row + 1, sizeof *layout->read);
@@ -1245,21 +1248,21 @@ layout_heading_text(const struct table *t, size_t c)
 }
 
 /* Ways to find tables.  Each is tried if those before it found none. */
-static void (*const FINDERS[])(struct sheets *) = {find_tables_with_headings,
-    find_tables_of_phi_numbers, find_headless_table,
+static void (*const FINDERS[])(struct sheet_grid *) = {
+    find_tables_with_headings, find_tables_of_phi_numbers, find_headless_table,
     find_tables_of_any_numbers};
 
 struct layout *
 layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 {
 	struct layout *layout = xcalloc(1, sizeof *layout);
-	struct sheets g = copy_sheet_to_grid(sheet, range);
+	struct sheet_grid g = copy_sheet_to_grid(sheet, range);
 	shift_headings_by_one(&g);
 	mark_in_beside_out_as_feed(&g);
 	mark_sizes_below_as_sieves(&g);
 	fill_cell_natures(&g);
 	find_next_number_beside_cells(&g);
-	struct sheets t = transpose_grid(&g);
+	struct sheet_grid t = transpose_grid(&g);
 	size_t ways = range.n_sieves > 0 ? 1 : ARRAY_LEN(FINDERS);
 	for (size_t i = 0; i < ways && g.n_place + t.n_place == 0; i++) {
 		FINDERS[i](&g);

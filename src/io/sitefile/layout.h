@@ -64,7 +64,7 @@ struct layout {
  * phi: their sizes are in phi. */
 enum { LAYOUT_SIEVES = 8 };
 struct layout_range {
-	struct site_box box;
+	struct cell_range box;
 	size_t n_sieves, sieves[LAYOUT_SIEVES];
 	bool phi;
 };

@@ -320,7 +320,7 @@ write_sample_headings(const struct longer *l, struct table *wide)
 				continue;
 			char *text =
 			    layout_adopt_text(wide, sample_heading(l, lead, c));
-			wide->head[0].cell[at] = number_cell_from_text(
+			wide->head[0].cell[at] = number_cell_with_text(
 			    t->sheet, t->row[lead].cell[c], text);
 			wide->day[at] = day;
 			wide->name[at] = name;

@@ -400,7 +400,7 @@ has_any_part(const char *folded, const char *const *part, size_t n)
 }
 
 enum lexicon_day
-lexicon_day_of_label(const char *label)
+lexicon_day_kind_of_label(const char *label)
 {
 	FREED char *folded = text_fold_case_and_accents(label);
 	if (has_any_part(folded, OTHER_DAYS, ARRAY_LEN(OTHER_DAYS)))
@@ -414,7 +414,7 @@ lexicon_day_of_label(const char *label)
 bool
 lexicon_is_label_of_day(const char *label)
 {
-	return lexicon_day_of_label(label) >= DAY_ANY;
+	return lexicon_day_kind_of_label(label) >= DAY_ANY;
 }
 
 /* The keys, folded by text_fold_case_and_accents.  The first of each is that of

@@ -52,7 +52,7 @@ bool lexicon_is_word_of_time(const char *word);
  * day than that of sampling, such as that of the analysis; DAY_NONE: nothing;
  * DAY_ANY: it is a day; DAY_SAMPLED: it is the day of sampling. */
 enum lexicon_day { DAY_OTHER, DAY_NONE, DAY_ANY, DAY_SAMPLED };
-enum lexicon_day lexicon_day_of_label(const char *label);
+enum lexicon_day lexicon_day_kind_of_label(const char *label);
 
 /* True for "Date", "Provtagen", "Sample date", not for "Date of analysis". */
 bool lexicon_is_label_of_day(const char *label);

@@ -325,7 +325,7 @@ sieve_size_cut_unit(
 		return 0;
 	memcpy(copy, cell->text, at);
 	copy[at] = '\0';
-	*cell = number_cell_from_text(sheet, *cell, copy);
+	*cell = number_cell_with_text(sheet, *cell, copy);
 	return unit.mm;
 }
 
@@ -346,14 +346,14 @@ cut_class_to_one_size(const struct sheet *sheet, struct cell *cell,
 	char *first = copy + (signs ? 1 : strspn(copy, "> "));
 	char *cut = strpbrk(first, signs ? "+-" : "/-");
 	if (cut == NULL && first > copy && sign != '-') {
-		*cell = number_cell_from_text(sheet, *cell, first);
+		*cell = number_cell_with_text(sheet, *cell, first);
 		return cell->value == AS_NUMBER;
 	}
 	if (cut == NULL || cut == first || cut[0] == sign)
 		return false;
 	*cut = '\0';
-	struct cell a = number_cell_from_text(sheet, *cell, text_trim(first)),
-		    b = number_cell_from_text(sheet, *cell, text_trim(cut + 1));
+	struct cell a = number_cell_with_text(sheet, *cell, text_trim(first)),
+		    b = number_cell_with_text(sheet, *cell, text_trim(cut + 1));
 	if (a.value != AS_NUMBER || b.value != AS_NUMBER ||
 	    a.number == b.number)
 		return false;

@@ -375,7 +375,7 @@ propose_tables_of_site(struct tables *s)
 }
 
 static void
-extend_box_by_rows(struct site_box *box, const struct row *row, size_t n)
+extend_range_by_rows(struct cell_range *box, const struct row *row, size_t n)
 {
 	for (size_t r = 0; r < n; r++) {
 		int line = row[r].line;
@@ -386,10 +386,10 @@ extend_box_by_rows(struct site_box *box, const struct row *row, size_t n)
 
 /* Returns the range of cells of a table's first n_row rows; or its whole lines,
  * if the sieves are in one line. */
-static struct site_box
-box_of_table_rows(const struct table *t, size_t n_row)
+static struct cell_range
+range_of_table_rows(const struct table *t, size_t n_row)
 {
-	struct site_box box = {0};
+	struct cell_range box = {0};
 	int least = (int)t->number[0], most = least, wide = 1;
 	for (size_t c = 0; c < t->n_col; c++) {
 		int number = (int)t->number[c];
@@ -400,12 +400,12 @@ box_of_table_rows(const struct table *t, size_t n_row)
 		for (size_t r = 0; r < t->sheet->n_row; r++)
 			if (t->sheet->row[r].n_all > (size_t)wide)
 				wide = (int)t->sheet->row[r].n_all;
-		return (struct site_box){least, 1, most, wide};
+		return (struct cell_range){least, 1, most, wide};
 	}
-	extend_box_by_rows(&box, t->head, t->n_head);
-	extend_box_by_rows(&box, t->row, n_row);
+	extend_range_by_rows(&box, t->head, t->n_head);
+	extend_range_by_rows(&box, t->row, n_row);
 	if (n_row == t->n_row)
-		extend_box_by_rows(&box, t->foot, t->n_foot);
+		extend_range_by_rows(&box, t->foot, t->n_foot);
 	box.left = least;
 	box.right = most;
 	return box;
@@ -450,7 +450,7 @@ list_tables_in_question(const struct tables *s, struct site_ask *ask)
 	ask->column = xcalloc(s->n, sizeof *ask->column);
 	for (size_t i = 0; i < s->n; i++) {
 		const struct table *t = s->table[i];
-		struct site_box box = box_of_table_rows(t, t->n_row);
+		struct cell_range box = range_of_table_rows(t, t->n_row);
 		FREED char *line = title_feed_or_last_line(t);
 		ask->column[i] = (struct site_ask_column){.number = i + 1,
 		    .head = xstrndup(line, (size_t)sheet_bytes_to_show(line)),
@@ -459,7 +459,7 @@ list_tables_in_question(const struct tables *s, struct site_ask *ask)
 		    .box = box};
 	}
 	FREED char *range =
-	    site_box_text(site_box_around_tables(ask, s->first, s->last));
+	    cell_range_text(cell_range_around_tables(ask, s->first, s->last));
 	ask->settle = xasprintf("range=%s", range);
 }
 
@@ -517,7 +517,7 @@ ask_about_sieves_listed_twice(
 {
 	const struct table *t = open->twice;
 	struct cell again = t->row[open->again].cell[0];
-	FREED char *range = site_box_text(box_of_table_rows(t, open->end));
+	FREED char *range = cell_range_text(range_of_table_rows(t, open->end));
 	ask->settle = xasprintf("range=%s", range);
 	return refuse_with_question(q, t, again, ask,
 	    tr("expected one table, got the sieves from %s on a second time"),

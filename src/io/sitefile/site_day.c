@@ -77,7 +77,7 @@ take_day(char **stated, char **other, const struct row *row, const char *text)
 	struct datetime m;
 	bool whole = is_date(text, &m);
 	FREED char *word = whole ? xstrdup(text) : date_among_words(text);
-	enum lexicon_day label = lexicon_day_of_label(row->cell[0].text);
+	enum lexicon_day label = lexicon_day_kind_of_label(row->cell[0].text);
 	if (word == NULL || (whole && label == DAY_OTHER))
 		return;
 	char *day = date_to_keep(word);
@@ -108,7 +108,7 @@ site_day_of_sample(const struct table *t, size_t c)
 }
 
 const char *
-site_day_unread(const struct table *t, size_t c)
+site_day_unreadable(const struct table *t, size_t c)
 {
 	struct datetime m;
 	for (size_t r = 0; r < t->n_head + t->n_foot; r++) {
@@ -145,7 +145,7 @@ site_day_column(const struct table *t)
 	size_t found = 0;
 	for (size_t c = 1; c < t->n_col; c++) {
 		FREED char *label = layout_heading_text(t, c);
-		enum lexicon_day own = lexicon_day_of_label(label);
+		enum lexicon_day own = lexicon_day_kind_of_label(label);
 		if (own < best || own == DAY_OTHER || !is_column_of_dates(t, c))
 			continue;
 		/* Of two equally good labels, neither is used. */

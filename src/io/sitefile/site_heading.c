@@ -53,7 +53,7 @@ read_first_number(const struct sheet *sheet, struct cell cell, double *value)
 	memcpy(copy, cell.text, n);
 	copy[n] = '\0';
 	return number_value_of_cell(
-	    number_cell_from_text(sheet, cell, copy), value);
+	    number_cell_with_text(sheet, cell, copy), value);
 }
 
 /* Takes the rotor's diameter if a key and value state it.  A number below 10 is
@@ -236,7 +236,7 @@ leave_out_line(struct site *site, const struct cell *key)
 	FREED char *where = xasprintf(tr("line %d"), key->line);
 	FREED char *what = xasprintf(tr("%.*s: numbers above the table"),
 	    sheet_bytes_to_show(key->text), key->text);
-	site_add_note(&site->left_out, &site->n_left_out, where, what);
+	site_notes_append(&site->left_out, &site->n_left_out, where, what);
 }
 
 /* Sets the value of a known key.  The name of a machine may also state its
@@ -293,7 +293,7 @@ set_next_key_of_line(struct site *site, struct sheet *sheet,
 			leave_out_line(site, &key);
 		else if (!(taken && site->rotor > 0 &&
 			     strcmp(key.text, "rotor_mm") == 0))
-			site_add_note(&site->note, &site->n_note, key.text,
+			site_notes_append(&site->note, &site->n_note, key.text,
 			    n > 1 ? value.text : "");
 	}
 	if (k < N_KEY)

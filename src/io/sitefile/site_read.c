@@ -282,7 +282,8 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 	       "%g mm)"),
 	    text_shortest_exact_number(top, mm),
 	    site_column_passing_text(c, at, 100, p), t->mm[at]);
-	site_add_note(&r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
+	site_notes_append(
+	    &r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
 }
 
 static void
@@ -420,7 +421,7 @@ leave_out(struct site *site, int line, const char *format, ...)
 	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	FREED char *where = xasprintf(tr("line %d"), line);
-	site_add_note(&site->left_out, &site->n_left_out, where, what);
+	site_notes_append(&site->left_out, &site->n_left_out, where, what);
 }
 
 /* Notes the sieves without numbers as left out. */
@@ -463,7 +464,7 @@ note_left_out_cells(struct reading *r)
 	if (more > 3)
 		xappend_to_list(&list, ", ", tr("%zu more"), more - 3);
 	if (more > 0)
-		site_add_note(&r->site->left_out, &r->site->n_left_out,
+		site_notes_append(&r->site->left_out, &r->site->n_left_out,
 		    tr("cells without a number"), list);
 }
 
@@ -693,7 +694,7 @@ take_speed_of_file_name(
     const struct site_request *q, const char *path, struct surroundings *near)
 {
 	FREED char *stem = site_heading_name_from_path(path);
-	struct head name = heading_parse_name(stem);
+	struct head name = heading_parse_file_name(stem);
 	if (q->n < 2 || q->parts || near->speed > 0 || near->rpm > 0 ||
 	    name.several || !heading_has_speed(&name))
 		return false;
@@ -779,7 +780,7 @@ parse_request_options(struct reading *r)
 	    samples_parse_columns_option(
 		&r->columns, q->columns, &r->range, &e) &&
 	    samples_parse_option(&r->samples, q->samples, &e) &&
-	    (q->range == NULL || site_box_parse(q->range, &r->range.box) ||
+	    (q->range == NULL || cell_range_parse(q->range, &r->range.box) ||
 		error_set(&e, ERROR_USAGE,
 		    "expected a range such as A3:F20, got '%s'\n"
 		    "the first is the cell at the top left, the second the one "
@@ -903,7 +904,7 @@ read_all_tables(struct reading *r)
 {
 	struct heading_rotor rotor = {0};
 	for (size_t i = 0; i < r->n_page; i++)
-		title_take_key_of_samples(r->page[i].layout);
+		title_apply_sample_keys(r->page[i].layout);
 	for (size_t i = 0; i < r->n_page; i++)
 		site_heading_merge_rotor(r->page[i].layout, &rotor);
 	for (size_t i = 0; i < r->n_page; i++) {
@@ -924,7 +925,7 @@ read_all_tables(struct reading *r)
 /* Lists the numbers of a column, without the pan.  Returns how many there
  * are. */
 static size_t
-numbers_of_column(const struct column *c, double *list)
+list_column_numbers(const struct column *c, double *list)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
@@ -946,8 +947,8 @@ has_same_numbers(const struct column *a, const struct column *b)
 		return false;
 	FREED double *x = xcalloc_doubles(a->table->n_row);
 	FREED double *y = xcalloc_doubles(b->table->n_row);
-	size_t n = numbers_of_column(a, x), same = 0, back = 0;
-	if (n != numbers_of_column(b, y))
+	size_t n = list_column_numbers(a, x), same = 0, back = 0;
+	if (n != list_column_numbers(b, y))
 		return false;
 	for (size_t i = 0; i < n; i++) {
 		same += fabs(x[i] - y[i]) > 0 ? 0 : 1;
@@ -959,7 +960,7 @@ has_same_numbers(const struct column *a, const struct column *b)
 /* True if all samples of a table are in earlier sheets too: it may be the data
  * of a chart.  A copy on the same sheet may be meant as another sample. */
 static bool
-is_table_again(const struct reading *r, size_t k)
+is_table_repeated(const struct reading *r, size_t k)
 {
 	size_t own = 0;
 	for (size_t i = 0; i < r->all.n; i++) {
@@ -978,11 +979,11 @@ is_table_again(const struct reading *r, size_t k)
 
 /* Leaves out tables that only repeat samples. */
 static void
-drop_tables_again(struct reading *r)
+drop_repeated_tables(struct reading *r)
 {
 	for (size_t k = r->n_table; k-- > 1;) {
 		struct table *t = r->table[k];
-		if (r->columns.n > 0 || !is_table_again(r, k))
+		if (r->columns.n > 0 || !is_table_repeated(r, k))
 			continue;
 		leave_out(r->site, t->row[0].line, "%s: samples again",
 		    samples_sheet_label(t->sheet));
@@ -1167,7 +1168,8 @@ note_days_of_cuts(struct reading *r)
 			continue;
 		FREED char *note = xasprintf("%g m/s%s%s", c->speed,
 		    day[i] != NULL ? ", " : "", day[i] != NULL ? day[i] : "");
-		site_add_note(&r->site->note, &r->site->n_note, "cut", note);
+		site_notes_append(
+		    &r->site->note, &r->site->n_note, "cut", note);
 	}
 	for (size_t i = 0; i < all->n; i++)
 		free(day[i]);
@@ -1180,7 +1182,7 @@ note_days_not_read(struct reading *r)
 {
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
-		const char *day = site_day_unread(c->table, c->at);
+		const char *day = site_day_unreadable(c->table, c->at);
 		if (is_product(c) && day != NULL)
 			leave_out(r->site, c->head.line,
 			    "the day '%.*s' of the cut at %g m/s: write year, "
@@ -1302,7 +1304,7 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 	r.source = xcalloc(request->n, sizeof *r.source);
 	if (parse_request_options(&r) && read_site_files(&r)) {
 		read_all_tables(&r);
-		drop_tables_again(&r);
+		drop_repeated_tables(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
 		give_feeds_speed_of_file(&r);

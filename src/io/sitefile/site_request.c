@@ -9,7 +9,7 @@
 #include "io/cells/sheet.h"
 
 char *
-site_box_text(struct site_box box)
+cell_range_text(struct cell_range box)
 {
 	char left[8], right[8];
 	return xasprintf("%s%d:%s%d", text_column_letters(box.left, left),
@@ -17,7 +17,7 @@ site_box_text(struct site_box box)
 }
 
 bool
-site_box_parse(const char *text, struct site_box *box)
+cell_range_parse(const char *text, struct cell_range *box)
 {
 	const char *p = sheet_parse_cell_address(text, &box->left, &box->top);
 	if (p == NULL || *p != ':')
@@ -26,12 +26,12 @@ site_box_parse(const char *text, struct site_box *box)
 	return p != NULL && *p == '\0';
 }
 
-struct site_box
-site_box_around_tables(const struct site_ask *ask, size_t from, size_t to)
+struct cell_range
+cell_range_around_tables(const struct site_ask *ask, size_t from, size_t to)
 {
-	struct site_box all = ask->column[from].box;
+	struct cell_range all = ask->column[from].box;
 	for (size_t i = from + 1; i <= to; i++) {
-		const struct site_box *box = &ask->column[i].box;
+		const struct cell_range *box = &ask->column[i].box;
 		all.top = box->top < all.top ? box->top : all.top;
 		all.left = box->left < all.left ? box->left : all.left;
 		all.bottom =

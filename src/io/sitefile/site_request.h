@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 /* A range of cells on a sheet; lines and columns are counted from 1. */
-struct site_box {
+struct cell_range {
 	int top, left, bottom, right;
 };
 
@@ -48,7 +48,7 @@ struct site_ask {
 		size_t number;
 		char *head, *values, *guess;
 		bool open;
-		struct site_box box;
+		struct cell_range box;
 	} * column;
 	size_t first, last;
 	char *settle;
@@ -57,14 +57,14 @@ struct site_ask {
 };
 
 /* Parses "A3:F20".  Returns false for any other form. */
-bool site_box_parse(const char *text, struct site_box *box);
+bool cell_range_parse(const char *text, struct cell_range *box);
 
 /* Returns the range as "A3:F20".  The caller frees it. */
-char *site_box_text(struct site_box box);
+char *cell_range_text(struct cell_range box);
 
 /* Returns the smallest range that contains the tables `from` to `to` of *ask,
  * counted from 0. */
-struct site_box site_box_around_tables(
+struct cell_range cell_range_around_tables(
     const struct site_ask *ask, size_t from, size_t to);
 
 /* Frees the members of *ask. */

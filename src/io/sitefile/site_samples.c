@@ -163,7 +163,7 @@ replace_headings_by_names(const struct samples *columns, struct table *t)
 				       : t->row[0].cell[c];
 		char *text = layout_adopt_text(
 		    t, xstrdup(named != NULL ? named->text : ""));
-		head.cell[n] = number_cell_from_text(t->sheet, cell, text);
+		head.cell[n] = number_cell_with_text(t->sheet, cell, text);
 		t->number[n] = t->number[c];
 		t->day[n] = t->day[c];
 		move_column_of_rows(t->row, t->n_row, c, n);
@@ -316,7 +316,7 @@ samples_sheet_label(const struct sheet *sheet)
 }
 
 bool
-samples_name_sheet(const struct samples *s, const struct sheet *sheet)
+samples_is_sheet_named(const struct samples *s, const struct sheet *sheet)
 {
 	for (size_t i = 0; i < s->n; i++)
 		if (text_same_folded(

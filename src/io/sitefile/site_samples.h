@@ -54,7 +54,7 @@ const char *samples_sheet_label(const struct sheet *sheet);
 
 /* True if samples= names a sheet, so that all its columns are of that
  * sample. */
-bool samples_name_sheet(
+bool samples_is_sheet_named(
     const struct samples *samples, const struct sheet *sheet);
 
 /* Gives a column the role, speed and quantity that samples= states for it.

@@ -312,7 +312,7 @@ split_mm_and_um(struct table *t)
 		struct cell *cell = &t->row[i].cell[0];
 		if (isnan(v[i]))
 			continue;
-		*cell = number_cell_from_text(t->sheet, *cell,
+		*cell = number_cell_with_text(t->sheet, *cell,
 		    layout_adopt_text(t, xasprintf("%s um", cell->text)));
 	}
 	return split;

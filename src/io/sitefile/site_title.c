@@ -66,7 +66,7 @@ is_line_above_table(const struct table *t, const struct row *row)
  * it is further above and the only cell of its line, such as "Product, 67 m/s"
  * over the date of a sample.  It is not a key with its value. */
 static bool
-can_head_table(const struct table *t, const struct row *row, size_t c)
+can_be_table_title(const struct table *t, const struct row *row, size_t c)
 {
 	bool near = row->line < first_line_of_table(t) &&
 		    row->line >= first_line_of_table(t) - 3 &&
@@ -238,7 +238,7 @@ heading_to_explain(struct table *t, const char *name, const struct head *said)
 }
 
 void
-title_take_key_of_samples(struct layout *layout)
+title_apply_sample_keys(struct layout *layout)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < layout->n_heading; i++) {
@@ -298,7 +298,7 @@ take_title_lines(const struct layout *layout, struct table *t)
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		for (size_t c = 0; c < row->n; c++) {
-			if (!can_head_table(t, row, c))
+			if (!can_be_table_title(t, row, c))
 				continue;
 			struct head title = heading_parse(row->cell[c].text);
 			append_title_line(t, row, c, &title);
@@ -317,7 +317,7 @@ title_words_and_speed(const struct layout *layout, struct table *t,
     const char *path, struct surroundings *near)
 {
 	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
-	struct head name = heading_parse_name(t->sheet->name);
+	struct head name = heading_parse_file_name(t->sheet->name);
 	struct heading_speed own = {0};
 	if (take_speed_above_table(layout, t, &own)) {
 		near->speed = own.differ ? 0 : own.mps;

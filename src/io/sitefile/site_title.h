@@ -8,7 +8,7 @@
 /* Moves what lines outside the tables say of single samples, such as "S2:
  * product at 65 m/s", into the headings of these samples (here S2), and takes
  * the lines out of the layout. */
-void title_take_key_of_samples(struct layout *layout);
+void title_apply_sample_keys(struct layout *layout);
 
 /* Returns the table that a line stands above, and below all earlier tables;
  * NULL if there is none. */

@@ -52,7 +52,7 @@ static const struct taken {
     {"named", offsetof(struct site, named)}};
 
 static char **
-site_field_of_provenance(struct site *site, const struct taken *taken)
+how_read_field_of_site(struct site *site, const struct taken *taken)
 {
 	return (char **)(void *)((char *)site + taken->offset);
 }
@@ -138,8 +138,7 @@ fit_record_to_text(const struct fit_record *b)
 	FILE *out = text_open_memory(&text, &n);
 	write_fit_line(b, out);
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		const char *said =
-		    *site_field_of_provenance(b->then, &TAKEN[k]);
+		const char *said = *how_read_field_of_site(b->then, &TAKEN[k]);
 		if (said[0] != '\0')
 			fprintf(out, "%s=%s\n", TAKEN[k].name, said);
 	}
@@ -216,10 +215,10 @@ cut_at_empty_line(char *text)
 }
 
 static void
-read_provenance_lines(struct site *site, const char *lines)
+parse_how_read_lines(struct site *site, const char *lines)
 {
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		char **said = site_field_of_provenance(site, &TAKEN[k]);
+		char **said = how_read_field_of_site(site, &TAKEN[k]);
 		FREED char *begin = xasprintf("%s=", TAKEN[k].name);
 		for (const char *line = lines; *line != '\0';) {
 			size_t n = strcspn(line, "\n"), head = strlen(begin);
@@ -292,14 +291,14 @@ fit_record_read_text(struct fit_record *b, char *text)
 	if (!read_fit_line(b, text, &train) || b->then == NULL ||
 	    (later != NULL && b->now == NULL) || !parse_training_runs(b, train))
 		return false;
-	read_provenance_lines(b->then, said);
+	parse_how_read_lines(b->then, said);
 	if (b->now != NULL)
-		read_provenance_lines(b->now, said);
+		parse_how_read_lines(b->now, said);
 	return true;
 }
 
 bool
-fit_record_of_material(
+fit_record_from_material(
     const struct material *m, struct fit_record *b, struct error *error)
 {
 	*b = (struct fit_record){.weight = 0};

@@ -28,7 +28,7 @@ char *fit_record_to_text(const struct fit_record *basis);
  * Returns false without an error if the material has no basis, and with
  * ERROR_DATA if its text cannot come from a calibration (a store may come from
  * another user).  Always clear the basis. */
-bool fit_record_of_material(
+bool fit_record_from_material(
     const struct material *m, struct fit_record *basis, struct error *error);
 void fit_record_clear(struct fit_record *basis);
 

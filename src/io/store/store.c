@@ -418,7 +418,7 @@ store_path(const struct store *store)
 }
 
 bool
-store_is_store_file(const char *path)
+store_is_sqlite_file(const char *path)
 {
 	static const char HEAD[] = "SQLite format 3";
 	char head[sizeof HEAD] = "";
@@ -641,7 +641,7 @@ bind_query_values(sqlite3_stmt *stmt, const struct store_query *q)
 /* Runs a statement and calls take for each row.  Without a file there are no
  * rows. */
 static bool
-store_run(struct store *store, const char *sql, const struct store_query *q,
+visit_rows(struct store *store, const char *sql, const struct store_query *q,
     take_row *take, void *data, struct error *error)
 {
 	sqlite3_stmt *stmt = NULL;
@@ -704,7 +704,8 @@ store_find_materials(struct store *store, const struct store_query *query,
 	FREED char *where = where_clause(query);
 	FREED char *sql =
 	    sql_listing_fields("SELECT fold, digest", false, where);
-	return store_run(store, sql, query, take_checked_material, list, error);
+	return visit_rows(
+	    store, sql, query, take_checked_material, list, error);
 }
 
 bool
@@ -730,7 +731,7 @@ bool
 store_count_materials(struct store *store, size_t *n, struct error *error)
 {
 	*n = 0;
-	return store_run(store, "SELECT count(*) FROM material",
+	return visit_rows(store, "SELECT count(*) FROM material",
 	    &(struct store_query){0}, take_count, n, error);
 }
 
@@ -741,7 +742,7 @@ store_visit_words(struct store *store, enum store_word what,
 	static const char *const SQL[] = {
 	    [STORE_NAMES] = "SELECT name FROM material ORDER BY fold",
 	    [STORE_ROCKS] = "SELECT rock FROM material GROUP BY rock"};
-	return store_run(store, SQL[what], &(struct store_query){0}, take_word,
+	return visit_rows(store, SQL[what], &(struct store_query){0}, take_word,
 	    &(struct visitor){take, data}, error);
 }
 
@@ -757,7 +758,7 @@ store_visit_names_beginning(struct store *store, const char *beginning,
 	    "IN (SELECT fold FROM matching ORDER BY fold LIMIT ?6) OR fold = "
 	    "(SELECT max(fold) FROM matching) ORDER BY fold";
 	const struct store_query query = {.name = beginning, .first = most};
-	return store_run(store, SQL, &query, take_word,
+	return visit_rows(store, SQL, &query, take_word,
 	    &(struct visitor){take, data}, error);
 }
 
@@ -853,7 +854,7 @@ store_remove_material(
 		return false;
 	bool none = store->db == NULL;
 	store_close(store);
-	if (!store_run(store, SQL, &query, take_count, &n, error))
+	if (!visit_rows(store, SQL, &query, take_count, &n, error))
 		return false;
 	return n > 0 ||
 	       error_set(error, ERROR_USAGE,

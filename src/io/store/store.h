@@ -27,7 +27,7 @@ void store_free(struct store *store);
 const char *store_path(const struct store *store);
 
 /* True if a file is an SQLite database, as a store is. */
-bool store_is_store_file(const char *path);
+bool store_is_sqlite_file(const char *path);
 
 /* Returns the size of the file in bytes, or -1 if there is none (yet), as for
  * ":memory:". */

@@ -162,7 +162,7 @@ static bool
 is_finding_about_column(const struct mend *m, const struct sheet_column *column)
 {
 	return (m->run == column->run && m->feed == column->feed) ||
-	       (m->kind == MEND_WITH && m->other == column->run &&
+	       (m->kind == MEND_SWAP_RUNS && m->other == column->run &&
 		   !column->feed);
 }
 
@@ -217,7 +217,7 @@ mend_cell_at_cursor(struct tui *t)
 	FREED char *line = mend_command_line(h->site, &f->mend);
 	FREED char *words = mend_text(h->site, &f->mend);
 	tui_stop_fit(t);
-	if (control_run_and_show(t, line))
+	if (control_run_command(t, line))
 		tui_say(t, false,
 		    "mended: %s; u undoes it, f calibrates again, :write FILE "
 		    "saves the sheet",

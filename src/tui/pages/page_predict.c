@@ -154,7 +154,7 @@ act_show_all_numbers(struct tui *t, const struct key *key)
 	FREED char *line = tui_command_at_slider(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
-	else if (control_run_and_show(t, line))
+	else if (control_run_command(t, line))
 		captured_show_output(t);
 }
 

@@ -470,7 +470,7 @@ open_chosen_site(struct tui *t)
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
 	tui_stop_fit(t);
-	bool used = control_run_and_show(t, line);
+	bool used = control_run_command(t, line);
 	if (used)
 		pages_go_to(t, PAGE_PREDICT);
 }

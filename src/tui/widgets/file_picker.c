@@ -79,7 +79,7 @@ static bool
 run_open_command(struct tui *t, const char *line, bool estimates)
 {
 	tui_stop_fit(t);
-	if (!control_run_and_show(t, line) || tui_current_entry(t) == NULL)
+	if (!control_run_command(t, line) || tui_current_entry(t) == NULL)
 		return false;
 	const struct entry *entry = tui_current_entry(t);
 	size_t products = site_count_products(entry->site);
@@ -99,12 +99,12 @@ open_chosen_file(struct tui *t)
 		return;
 	const struct folder_item *item = &c->folder.item[c->list.at];
 	if (item->kind == FOLDER_ABOVE || item->kind == FOLDER_BELOW) {
-		FREED char *into =
-		    folder_target_of_item(&c->folder, c->list.at);
+		FREED char *into = folder_path_of_item(&c->folder, c->list.at);
 		list_files_in_folder(c, into);
 		return;
 	}
-	FREED char *line = folder_open_command(item, c->what == PICK_SESSIONS);
+	FREED char *line =
+	    folder_command_to_open(item, c->what == PICK_SESSIONS);
 	if (run_open_command(t, line, c->what == PICK_FEEDS))
 		close_picker(t);
 }

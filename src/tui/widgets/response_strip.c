@@ -459,7 +459,7 @@ response_strip_draw_marks(
 			continue;
 		screen_draw_series_text(area,
 		    strip_row_of_value(axis, area, value),
-		    slider_column_of_value(range,
+		    slider_column_of_position(range,
 			slider_position(range, entry->site->run[r].speed),
 			area->columns),
 		    SERIES_TEXT, LOOK_BOLD,
@@ -470,7 +470,7 @@ response_strip_draw_marks(
 	if (isfinite(value))
 		screen_draw_series_text(area,
 		    strip_row_of_value(axis, area, value),
-		    slider_column_of_value(range, position, area->columns),
+		    slider_column_of_position(range, position, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
 		    screen_charset() == CHARSET_ASCII ? "@" : "\u25CE");
 }

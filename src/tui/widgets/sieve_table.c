@@ -75,7 +75,7 @@ difference_in_points(const struct tui *t, const struct psd *other, size_t i)
  * scale of the strip of differences does, so that one step of the slider does
  * not redraw both. */
 static double
-full_bar_scale(const struct tui *t, const struct psd *other)
+points_of_full_bar(const struct tui *t, const struct psd *other)
 {
 	static const double FULL[] = {1.5, 3, 7, 15, 30, 70, 100};
 	double most = 0;
@@ -213,7 +213,7 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	char name[40] = "";
 	enum series series = SERIES_TEXT;
 	const struct psd *other = find_compared_product(t, name, &series);
-	double full = full_bar_scale(t, other);
+	double full = points_of_full_bar(t, other);
 	sieve_table_draw_heading(area, series, name);
 	size_t wanted, at = row_for_sieve_of_quantity(t, rows, &wanted);
 	for (size_t r = 0; r < rows && r < n; r++) {

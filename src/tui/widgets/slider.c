@@ -51,7 +51,7 @@ slider_has_speed(struct slider_range range, double speed)
 }
 
 int
-slider_column_of_value(struct slider_range range, int position, int width)
+slider_column_of_position(struct slider_range range, int position, int width)
 {
 	double share = (double)(slider_clamp(range, position) - range.least) /
 		       (range.most - range.least);
@@ -123,7 +123,8 @@ has_room_for_long_labels(const struct slider_cell *cell, int width,
 	char label[32];
 	for (size_t i = 0; i < n; i++) {
 		int from =
-		    slider_column_of_value(range, mark[i].position, width) + 1;
+		    slider_column_of_position(range, mark[i].position, width) +
+		    1;
 		int length = mark_label_text(range, &mark[i], true, label);
 		if (!are_cells_free(cell, width, from, length + BETWEEN))
 			return false;
@@ -138,7 +139,7 @@ write_mark_label(struct slider_cell *cell, int width, struct slider_range range,
     const struct slider_mark *mark, bool words, int handle)
 {
 	char label[32];
-	int from = slider_column_of_value(range, mark->position, width) + 1;
+	int from = slider_column_of_position(range, mark->position, width) + 1;
 	int wanted = mark_label_text(range, mark, words, label);
 	if (words && !are_cells_free(cell, width, from, wanted + 1))
 		wanted = mark_label_text(range, mark, false, label);
@@ -185,16 +186,16 @@ slider_fill_cells(struct slider_cell *cell, int width,
 	if (width < 1)
 		return 0;
 	for (size_t i = 0; i < n; i++)
-		cell[slider_column_of_value(range, mark[i].position, width)] =
-		    (struct slider_cell){
-			mark[i].trained ? '|' : 'o', true, false};
+		cell[slider_column_of_position(
+		    range, mark[i].position, width)] = (struct slider_cell){
+		    mark[i].trained ? '|' : 'o', true, false};
 	int length = range.rotor > 0
 			 ? snprintf(label, sizeof label, "[%d]", position)
 			 : snprintf(label, sizeof label, "[%.1f]",
 			       slider_speed(range, position));
 	if (length > width)
 		length = snprintf(label, sizeof label, "#");
-	int at = slider_column_of_value(range, position, width) - length / 2;
+	int at = slider_column_of_position(range, position, width) - length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
 	bool words =
 	    !any && has_room_for_long_labels(cell, width, range, mark, n);

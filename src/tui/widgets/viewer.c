@@ -417,7 +417,7 @@ draw_what_enter_does(struct tui *t)
 	if (key == NULL)
 		return false;
 	FREED char *words = xasprintf(tr("Enter: %s"),
-	    keys_words(key->what, tui_slider_range(t).rotor > 0));
+	    keys_shown_text(key->what, tui_slider_range(t).rotor > 0));
 	bool room = text_width_in_columns(words) <= t->layout.hints.columns;
 	if (room)
 		pane_hints(t, words);
