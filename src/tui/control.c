@@ -111,8 +111,8 @@ end_running_line(struct tui *t, bool restores, bool ok)
 		captured_discard_output(t);
 		if (t->of_script)
 			tui_say(t, false,
-			    "stopped at %s: what was done before stays, "
-			    "u undoes it",
+			    "stopped at %s: earlier changes stay; u undoes "
+			    "them",
 			    t->running_line);
 		else
 			tui_say(t, false, "stopped: %s", t->running_line);

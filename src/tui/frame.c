@@ -280,10 +280,10 @@ hints_while_typing(const struct tui *t)
 		return line->n > 0
 			   ? N_("Enter set it  Tab complete  ^U clear  "
 				"Esc give up")
-			   : N_("Enter no goal  Tab offers  Esc give up");
+			   : N_("Enter no goal  Tab lists  Esc give up");
 	return strstr(line->text, " > ") != NULL
-		   ? N_("Enter write  Esc give up  ending: .csv .xlsx .json "
-			"table, .svg .png .pdf plot")
+		   ? N_("Enter write  Esc give up  table: .csv .xlsx .json, "
+			"plot: .svg .png .pdf")
 		   : N_("Enter run  Tab complete  Up earlier lines  Esc give "
 			"up");
 }

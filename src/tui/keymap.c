@@ -175,8 +175,8 @@ act_next_correcting_runs(struct tui *t, const struct key *key)
 		N_("all runs correct the answer now: u undoes this"),
 	    [CORRECTION_TRAIN] = N_(
 		"only the training runs correct the answer now: u undoes this"),
-	    [CORRECTION_OFF] = N_("no run corrects the answer now, which is "
-				  "the model's: u undoes this")};
+	    [CORRECTION_OFF] = N_("no run corrects the answer now; it is the "
+				  "model's: u undoes this")};
 	static const char *const NEXT[] = {[CORRECTION_ALL] = "train",
 	    [CORRECTION_TRAIN] = "off",
 	    [CORRECTION_OFF] = "all"};
@@ -253,8 +253,7 @@ act_change_search_pace(struct tui *t, const struct key *key)
 	t->due = t->clock;
 	if (t->ui.pace == PACE_AUTO)
 		tui_say(t, false,
-		    "generations a second: few while the best improves "
-		    "quickly");
+		    "generations a second: fewer while the best improves fast");
 	else if (t->ui.pace == PACE_FULL)
 		tui_say(t, false, "generations a second: as many as possible");
 	else
@@ -305,7 +304,7 @@ act_toggle_band(struct tui *t, const struct key *key)
 		return;
 	bool known = t->view.shown.low != NULL;
 	if (known)
-		tui_say(t, false, "band on; where thin, the line hides it");
+		tui_say(t, false, "band on; the line hides it where thin");
 	else
 		tui_say(t, false,
 		    entry->has_fit && fit_has_too_few_data(&entry->fit)
@@ -332,7 +331,7 @@ act_toggle_mouse(struct tui *t, const struct key *key)
 	if (t->mouse)
 		screen_set_mouse(false);
 	tui_say(t, false,
-	    on         ? N_("mouse on: Shift and drag selects text")
+	    on         ? N_("mouse on: Shift-drag selects text")
 	    : t->mouse ? N_("mouse off: drag selects text, M turns it on")
 		       : N_("this terminal has no mouse"));
 	t->mouse = on;

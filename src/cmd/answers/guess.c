@@ -265,8 +265,8 @@ note_unknown_rock(struct answer *r, const struct guess_sources *b)
 		known = text_same_folded(b->list.item[i].rock, b->wanted.rock);
 	if (!known)
 		answer_say(r, ANSWER_REMARK,
-		    "no material is of the rock type '%s': materials lists "
-		    "those there are",
+		    "no material is of the rock type '%s': 'materials' lists "
+		    "all types",
 		    b->wanted.rock);
 }
 

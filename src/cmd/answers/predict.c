@@ -322,10 +322,10 @@ note_sieves_limited_by_feed(struct answer *r, const struct session *s,
 	FREED char *below = list_measured_below_feed(s, q, p);
 	answer_say(r, ANSWER_REMARK,
 	    p->low != NULL
-		? N_("at %s mm the feed has more than measured products, which "
+		? N_("at %s mm more feed passes than measured product, which "
 		     "crushing cannot cause: there answer and band do not go "
 		     "below the feed; sample the feed again")
-		: N_("at %s mm the feed has more than measured products, which "
+		: N_("at %s mm more feed passes than measured product, which "
 		     "crushing cannot cause: there the answer is the feed; "
 		     "sample the feed again"),
 	    list);

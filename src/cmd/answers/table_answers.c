@@ -121,17 +121,16 @@ const struct command TABLE_ANSWERS[] = {
 	    FLOW_PARTS,
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
-	.text =
-	    "One row for each speed, in m/s and, where the site states the "
-	    "rotor's diameter, in rpm: P20, P50 and P80, the figures that are "
-	    "named, the range of one of them and what was measured of it, "
-	    "tonnes of fractions, and the light. With the conditions of "
-	    "window, spec= or a goal that is "
-	    "set, it also has how certain it is that they are met. Below it: "
-	    "the date, the feed, the machine, the model, and whether each "
-	    "speed rests on measurements or on the model alone. Text leaves "
-	    "out columns that do not fit into 80 characters, and names them; "
-	    "files have all. 'card > card.pdf' is a page to be pinned up.",
+	.text = "One row for each speed, in m/s and, where the site states the "
+		"rotor's diameter, in rpm: P20, P50 and P80, the figures that "
+		"are named, the range of one of them and its measured value, "
+		"tonnes of fractions, and the light. With the conditions of "
+		"window, spec= or a goal that is set, it also shows how "
+		"certain they are to be met. Below it: the date, the feed, the "
+		"machine, the model, and whether each speed rests on "
+		"measurements or on the model alone. Text leaves out columns "
+		"that do not fit into 80 characters, and names them; files "
+		"have all. 'card > card.pdf' is a page to be pinned up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "card 65..85:5 0/2 fines tph=120 fractions=0/2,2/5,5/8\n"
 		   "card 66..81:5 passing 2 >= 33",
@@ -153,11 +152,10 @@ const struct command TABLE_ANSWERS[] = {
 	    "Compares the predicted products of the site in use at two speeds, "
 	    "with the same feed, or of two loaded sites at one speed, each "
 	    "with its own feed: passing sieve by sieve and the difference "
-	    "(second minus first), P20, P50, P80 and the break sizes; or of "
-	    "the figures that are named, and says which of the two has more. "
-	    "'pinned' is what pin has kept, with its own site and feed, and "
-	    "without a band of the difference. > FILE.svg, .png or .pdf "
-	    "draws both.",
+	    "(second minus first), P20, P50, P80 and the break sizes; or the "
+	    "figures that are named, and says where they are higher. 'pinned' "
+	    "is what pin has kept, with its own site and feed; the difference "
+	    "then has no band. > FILE.svg, .png or .pdf draws both.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "compare 69 79\ncompare 69 79 2/4 P80",
@@ -228,10 +226,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "Conditions are those of window: the condition with = and a single "
 	    "number is the target, \"max passing 2\" or \"min P80\" asks for "
 	    "the speed that gives the largest or smallest value; other "
-	    "conditions are checked at that speed, or limit it; without any "
-	    "they are those of 'set goal'. Of the two "
-	    "ranges of a speed the first is for the true product, the second "
-	    "for what a belt cut may show.",
+	    "conditions are checked at that speed, or limit it; the default is "
+	    "'set goal'. The first range of a speed is for the true product, "
+	    "the second for what a belt cut may show.",
 	.more =
 	    "At a limit the condition holds with only about 50 % certainty, so "
 	    "the best speed with 80 % certainty (set level) is also reported. "
@@ -308,21 +305,19 @@ const struct command TABLE_ANSWERS[] = {
 	    "cut= is the fraction for conditions that name none. The default "
 	    "conditions are those of 'set goal'. Shows the speeds, to a tenth "
 	    "of a m/s, at which the answer meets each condition, and the best "
-	    "speed: the one at which all "
-	    "hold with the highest probability, preferably between "
-	    "the measured speeds; of speeds within 2 % of that probability, "
-	    "the one with the largest margin, in widths of the band. "
-	    "detail=on adds the speeds at which the answer meets all, the "
-	    "conditions that limit them, and that of least "
-	    "energy and wear: the slowest measured speed from which, up "
-	    "to the best, the conditions hold with 95 % probability. Programs "
-	    "get margins as passings, in points: for a P at the size that is "
-	    "its limit, for a fineness modulus per sieve. Moduli and fractions "
-	    "rise and fall with the speed, so there may be several windows. "
-	    "With the uncertainty band, also says at which speeds all "
-	    "conditions hold together with 80 % certainty (set level). If no "
-	    "speed meets them all, the nearest one is shown, with the "
-	    "condition that limits it.",
+	    "speed: the one at which all hold with the highest probability, "
+	    "preferably between the measured speeds; of speeds within 2 % of "
+	    "that probability, the one with the largest margin, in widths of "
+	    "the band. detail=on adds the speeds at which the answer meets "
+	    "all, what limits them, and the speed of least energy and wear: "
+	    "the slowest measured one from which, up to the best, the "
+	    "conditions hold with 95 % probability. Programs get margins as "
+	    "passings, in points: for a P at the size that is its limit, for a "
+	    "fineness modulus per sieve. Moduli and fractions rise and fall "
+	    "with the speed, so there may be several windows. With the "
+	    "uncertainty band, also says at which speeds all conditions hold "
+	    "together with 80 % certainty (set level). If no speed meets them "
+	    "all, the nearest one is shown, with the condition that limits it.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "window \"passing 2 = 30..36\" \"P80 > 5\"",
@@ -384,18 +379,16 @@ const struct command TABLE_ANSWERS[] = {
 	    "figures that are named, with the range in which the true value "
 	    "lies and the one in which a new belt cut is expected; if several "
 	    "runs have a feed sample, how far the product moves with the feed; "
-	    "what errors of the stated tip speeds move; and which further "
-	    "sample would help most, as 'advise' "
-	    "finds it. detail=on shows half the width of the band sieve by "
-	    "sieve: of the model "
-	    "alone, which is what its parameters leave open; of the answer, "
-	    "with what the model leaves out, which is the band of predict; and "
-	    "of one more sample with its error. Below it are the sizes of "
-	    "these errors as the data show them. level=, noise= and "
-	    "speed_sd= are settings, kept for the commands that follow. "
-	    "'uncertainty draws > FILE.csv' writes the "
-	    "draws: parameters, errors and product of each. See UNCERTAINTY in "
-	    "tipspeed-model(7).",
+	    "the effect of errors of the tip speeds; and which further sample "
+	    "would help most, as 'advise' finds it. detail=on shows half the "
+	    "width of the band sieve by sieve: of the model alone, which is "
+	    "what its parameters leave open; of the answer, with what the "
+	    "model leaves out, which is the band of predict; and of one more "
+	    "sample with its error. Below it are the sizes of these errors as "
+	    "the data show them. level=, noise= and speed_sd= are settings, "
+	    "kept for the commands that follow. 'uncertainty draws > FILE.csv' "
+	    "writes the draws: parameters, errors and product of each. See "
+	    "UNCERTAINTY in tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 72 P80\n"
 		   "uncertainty 85 detail=on",
 	.answer = cmd_uncertainty},
@@ -470,10 +463,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "class of the feed's sieves what stays in it, what breaks and "
 	    "leaves it, what comes from coarser ones, and the change of the "
 	    "product; then in a sentence how much more breaks, and which "
-	    "classes lose and gain most. With one speed and cut= it also has "
-	    "the share of that fraction, and what a faster rotor does to it. "
-	    "All columns are shares of the feed's "
-	    "mass and sum to 100 %.",
+	    "classes lose and gain most. With one speed and cut= it also gives "
+	    "the share of that fraction, and how more speed changes it. All "
+	    "columns are shares of the feed's mass and sum to 100 %.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nwhy 85\nwhy 69 79",
 	.answer = cmd_why},
     {.name = "drift",
@@ -489,17 +481,17 @@ const struct command TABLE_ANSWERS[] = {
 		"on: show the numbers of the control charts too"}),
 	.text =
 	    "Compares each cut added after the calibration with the prediction "
-	    "at its own speed from its own feed, from runs that do not include "
-	    "it. A row has the mean of the residuals (answer minus measured, "
-	    "points: + if the cut is coarser), the largest with its sieve, and "
-	    "what the control charts say; with detail=on the charts "
-	    "themselves: EWMA (weight 0.2) with its limit and CUSUM in both "
-	    "directions, of the mean and of the tilt (coarse sieves minus fine "
-	    "ones). The limits come from the draws of the uncertainty, or from "
-	    "'set noise' if there are none; see DRIFT in tipspeed-model(7). "
-	    "Reports how often they signal by chance, what drifts, where to "
-	    "look and when to calibrate anew. A signal makes the light of the "
-	    "site's answers amber. plot drift draws it.",
+	    "at its own speed from its own feed, made without that cut. A row "
+	    "has the mean of the residuals (answer minus measured, points: + "
+	    "if the cut is coarser), the largest with its sieve, and what the "
+	    "control charts say; with detail=on the charts themselves: EWMA "
+	    "(weight 0.2) with its limit and CUSUM in both directions, of the "
+	    "mean and of the tilt (coarse sieves minus fine ones). The limits "
+	    "come from the draws of the uncertainty, or from 'set noise' if "
+	    "there are none; see DRIFT in tipspeed-model(7). Reports how often "
+	    "they signal by chance, what drifts, where to look and when to "
+	    "calibrate anew. A signal makes the light of the site's answers "
+	    "amber. plot drift draws it.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "add data/cuts/tierp-may.csv\ndrift",
 	.run = cmd_drift},

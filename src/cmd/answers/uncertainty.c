@@ -296,10 +296,10 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	    : best.repeat
 		? N_("what would help %s at %.4g m/s most: another sample at "
 		     "%.4g m/s%s; it is expected to narrow its band by %.0f "
-		     "%%; 'advise' is about other figures")
+		     "%%; 'advise' takes other figures")
 		: N_("what would help %s at %.4g m/s most: a sample at %.4g "
 		     "m/s%s; it is expected to narrow its band by %.0f %%; "
-		     "'advise' is about other figures"),
+		     "'advise' takes other figures"),
 	    name, q->speed, best.speed, rpm, 100 * fmax(share, 0));
 }
 

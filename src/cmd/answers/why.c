@@ -468,8 +468,8 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 	    b->q->entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	if (fabs(more) < 5e-4)
 		answer_note(r,
-		    "From %g to %g m/s%s no more and no less of the feed "
-		    "breaks: %.1f %%",
+		    "From %g to %g m/s%s the same share of the feed breaks: "
+		    "%.1f %%",
 		    b->p[0].speed, b->p[1].speed, rpm, 100 * a->broken);
 	else
 		answer_note(r,

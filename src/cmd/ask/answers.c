@@ -329,7 +329,7 @@ note_model_if_not_of_paper(
 		return;
 	if (own != set)
 		answer_say(r, ANSWER_REMARK,
-		    "these are parameters of the model %s; %s is set, and "
+		    "these parameters belong to model %s; %s is set: "
 		    "'calibrate' finds its own",
 		    BREAKAGES[own]->name, BREAKAGES[set]->name);
 	else if (own > 0)
@@ -365,8 +365,8 @@ note_other_feed_unstated(struct answer *r, const struct entry *entry)
 	FREED double *sieve = site_all_sieves(site, &n);
 	if (!psd_covers_size(feed, sieve[n - 1]))
 		answer_say(r, ANSWER_REMARK,
-		    "finer than %g mm nothing is known: the feed was not "
-		    "sieved there",
+		    "nothing is known below %g mm: the feed was not sieved "
+		    "that fine",
 		    units_mm(feed->size[feed->n - 1]));
 	if (entry->scenario->rock[0] == '\0' && site->rock[0] != '\0')
 		answer_say(r, ANSWER_REMARK,

@@ -463,9 +463,9 @@ conditions_add_from_args(struct session *s, const struct args *args,
 			  conditions_check_feed_covers(&c, feed, error);
 		if (ok && c.least == c.most)
 			ok = error_set(error, ERROR_USAGE,
-			    "expected a range of values, got one: '%s'\n"
-			    "write a range such as 40..50; or, for the speed "
-			    "that gives this value: find \"%s\"",
+			    "expected a range, got one value: '%s'\nwrite a "
+			    "range such as 40..50; or, for the speed that "
+			    "gives this value: find \"%s\"",
 			    args->operand[i], args->operand[i]);
 		if (!ok)
 			return conditions_set_error_place(args, i, error);
@@ -561,16 +561,16 @@ conditions_met_speeds_text(
 	    found, answers_is_sheet_in_rpm(site) ? site->rotor : 0);
 }
 
-/* Returns a suffix such as ", up to the fastest asked", to be translated, if an
+/* Returns a suffix such as ", up to the fastest tried", to be translated, if an
  * end of the range is only that of the search; otherwise "". */
 static const char *
 search_end_suffix(
     const struct conditions_search *wanted, double from, double to)
 {
 	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
-	return slowest && fastest ? N_(", all speeds asked")
-	       : slowest          ? N_(", from the slowest asked")
-	       : fastest          ? N_(", up to the fastest asked")
+	return slowest && fastest ? N_(", all speeds tried")
+	       : slowest          ? N_(", from the slowest tried")
+	       : fastest          ? N_(", up to the fastest tried")
 				  : "";
 }
 
@@ -761,7 +761,7 @@ note_conflicting_limits(struct answer *r,
 				: conditions_limit_text(wanted->at, high);
 	if (below != NULL && above != NULL && low.i == high.i &&
 	    low.most == high.most) {
-		answer_note(r, "what is in the way: %s", below);
+		answer_note(r, "limiting condition: %s", below);
 		return;
 	}
 	if (below != NULL)
@@ -956,9 +956,8 @@ conditions_note_no_reliable_speed(struct answer *r,
 			    wanted->to >= wanted->measured[1];
 	if (all_measured && ((slower && is_end_unreliable(wanted, false)) ||
 				(faster && is_end_unreliable(wanted, true))))
-		answer_note(r,
-		    "no speed near the measured ones does it, and farther from "
-		    "them no answer can be relied on");
+		answer_note(r, "no speed near the measured ones meets it, and "
+			       "answers farther away are not reliable");
 	else
 		conditions_note_unsearched_speeds(r, wanted, slower, faster);
 }
@@ -1013,8 +1012,7 @@ speed_to_run_at_text(const struct conditions_search *wanted, bool several,
 			  ? tr("run at %.1f m/s%s, the best of the measured "
 			       "range: ")
 		      : is_sure ? tr("run at %.1f m/s%s: ")
-				: tr("best %.1f m/s%s of the measured "
-				     "range: "),
+				: tr("best %.1f m/s%s in the measured range: "),
 		w->best, rpm);
 	trust_free(&light);
 	if (isnan(w->best_certain)) {
@@ -1047,7 +1045,7 @@ note_speed_to_run_at(struct answer *r, const struct conditions_search *wanted,
 		    level, low, high, rpm,
 		    tr(search_end_suffix(wanted, low, high)));
 	else if (round(100 * w->best_certain) < round(level))
-		xappend(&words, tr("; at no speed %.0f times in 100"), level);
+		xappend(&words, tr("; no speed reaches %.0f in 100"), level);
 	answer_note(r, "%s", words);
 }
 
@@ -1059,8 +1057,8 @@ note_slowest_safe_speed(struct answer *r,
 	    rotor_speed_rpm_text(wanted->entry->site->rotor, w->safe, NAN);
 	if (w->safe < w->best)
 		answer_note(r,
-		    "least energy and wear: %.1f m/s%s, the slowest that is "
-		    "safe, 95 times in 100 or more",
+		    "least energy and wear: %.1f m/s%s, the slowest that meets "
+		    "it 95 times in 100 or more",
 		    w->safe, rpm);
 }
 
@@ -1079,13 +1077,13 @@ note_certainty_where_unmet(struct answer *r,
 	    wanted->entry->site->rotor, w->speed[most], NAN);
 	if (w->certain[most] <= 0)
 		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty; the "
-		    "certainty is under 1 %% at every speed",
+		    "no speed meets it with %.0f %% certainty; the certainty "
+		    "is under 1 %% at every speed",
 		    100 * wanted->level);
 	else
 		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty; most at "
-		    "%.1f m/s%s, with %s",
+		    "no speed meets it with %.0f %% certainty; the highest, at "
+		    "%.1f m/s%s, is %s",
 		    100 * wanted->level, w->speed[most], rpm, highest);
 }
 

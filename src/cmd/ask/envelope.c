@@ -216,9 +216,8 @@ bool
 envelope_error_no_sieve(const struct spec *spec, struct error *error)
 {
 	return error_set(error, ERROR_DATA,
-	    "%s: none of its sieves is in the range of the feed's sieves\n"
-	    "use another envelope ('spec list' lists them), or a feed sieved "
-	    "that far",
+	    "%s: none of its sieves is in the range of the feed's sieves\nuse "
+	    "another envelope ('spec list' lists them), or a feed sieved finer",
 	    spec->name);
 }
 
@@ -485,7 +484,7 @@ note_individual_retained(
 	const double coarse_mm = units_mm(g->spec->size[at]);
 	const char *is = verdict_within_limits(100 * most, -INFINITY, l->most);
 	answer_note(r,
-	    "between two sieves at most %.1f %%%s, %g to %g mm: %s; limit %g",
+	    "most between two sieves: %.1f %%%s, %g to %g mm: %s; limit %g",
 	    100 * most, band, coarse_mm, units_mm(g->spec->size[at + 1]), is,
 	    l->most);
 	fields_put_values(answer_fields(r),

@@ -104,8 +104,8 @@ move_single_value_last(
 		}
 	if (*n_value > 1)
 		return error_set(error, ERROR_USAGE,
-		    "expected one single value, got %zu of them\n"
-		    "write ranges: passing 2 = 40..50",
+		    "expected at most one single value, got %zu\nwrite ranges: "
+		    "passing 2 = 40..50",
 		    *n_value);
 	if (*n_value == 0)
 		return true;
@@ -443,7 +443,7 @@ goals_outcome_text(const struct session *s, const struct entry *entry,
 		    tr("goal: %s"), full ? g->why : tr("not known"));
 	bool fitted = entry != NULL && entry->has_params;
 	if (!fitted && length != GOALS_SHORT)
-		return xasprintf(tr("goal: %s"), tr("after a calibration"));
+		return xasprintf(tr("goal: %s"), tr("needs a calibration"));
 	if (!goals_is_search_done(s, g))
 		return length == GOALS_SHORT
 			   ? xstrdup(tr("goal"))

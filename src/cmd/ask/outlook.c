@@ -99,8 +99,8 @@ sample_posterior_steps(const struct session *s, const struct entry *entry,
 	}
 	if (h->drawing == NULL) {
 		if (s->hooks.announce != NULL)
-			s->hooks.announce("posterior: drawing the parameters "
-					  "that the data allow");
+			s->hooks.announce(
+			    "posterior: drawing parameters that fit the data");
 		struct posterior_options o =
 		    posterior_options_of_runs(s, entry, use);
 		h->drawing = posterior_begin(h->site, &h->fit.params, &o);

@@ -317,9 +317,9 @@ drift_in_words(const struct routine *r)
 				 "taken")};
 	enum drift_state state = r->point[r->n - 1].state;
 	if (state == DRIFT_NONE && r->n < ROUTINE_FEW && r->first == r->n)
-		return xstrdup(tr("no sign of a drift: what was measured "
-				  "differs from what was predicted by no more "
-				  "than samples do"));
+		return xstrdup(
+		    tr("no sign of drift: measured and predicted products "
+		       "differ by no more than samples do"));
 	if (state == DRIFT_NONE)
 		return r->first < r->n
 			   ? xasprintf(

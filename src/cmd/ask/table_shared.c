@@ -11,9 +11,9 @@ const struct command_option SHARED_RPM[] = {
 
 const struct command_option SHARED_FEED[] = {
     {FEED(feed), "m/s", 1, SITE_FASTEST, NULL, "",
-	"take the feed sampled at this speed, or that of a sheet, FILE or "
-	"FILE@SPEED, or a blend such as a.csv*0.6+b.csv*0.4, or the mean of "
-	"those sampled; default: as set, the mean"},
+	"feed sampled at this speed; or that of a sheet, FILE or FILE@SPEED; "
+	"or a blend such as a.csv*0.6+b.csv*0.4; or mean, of those sampled; "
+	"default: as set, or else mean"},
     {.name = NULL}};
 
 const struct command_option SHARED_MACHINE[] = {
@@ -24,7 +24,7 @@ const struct command_option SHARED_MACHINE[] = {
 	"measured runs; assumed uncrushed, which gives the coarsest possible "
 	"product"},
     {NUMBER(k), "", 0.01, 100, NULL, "",
-	"impacts of a particle; default: as set, see 'set k'"},
+	"impacts per particle; default: as set by 'set k'"},
     {CHOICE(correction), "all train off", "",
 	"runs that correct the model, for this answer; default: as set"},
     {.name = NULL}};
@@ -42,5 +42,5 @@ const struct command_option SHARED_SCREENS[] = {
     {NUMBER(sharpness), "", 0.1, 100, NULL, "",
 	"sharpness of the screens (Whiten), 3 to 10; default: ideal"},
     {NUMBER(cut_size), "%", 10, 200, NULL, "100",
-	"size of which half passes, of a screen's opening"},
+	"size that half passes, relative to the opening"},
     {.name = NULL}};

@@ -83,9 +83,8 @@ add_reasons_of_origin(
 			origin_source_text(entry)));
 	else if (isnan(error))
 		trust_add_reason(t, LIGHT_RED, TRUST_ORIGIN,
-		    xasprintf(
-			tr("parameters %s, and no product of this site was "
-			   "measured that could check them"),
+		    xasprintf(tr("parameters %s, and no measured product of "
+				 "this site to check them against"),
 			origin_source_text(entry)));
 	else
 		trust_add_reason(t, error > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
@@ -174,9 +173,8 @@ add_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
 			other, rock));
 	if (w->feed != NULL && evidence == NULL)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_FEED,
-		    xstrdup(
-			tr("it is not known with which feeds the parameters "
-			   "were found: this feed may break differently")));
+		    xstrdup(tr("the feeds behind the parameters are not known: "
+			       "this feed may break differently")));
 	if (w->rotor > 0 && measured > 0 && fabs(w->rotor - measured) > 5e-4)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(
@@ -188,7 +186,7 @@ add_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
 				 "cascade share (%g %% of the feed, taken as "
-				 "uncrushed: the coarsest that can be)"),
+				 "uncrushed: the coarsest case)"),
 			100 * w->bypass));
 	if (w->k > 0 && w->k != s->set.model.k)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,

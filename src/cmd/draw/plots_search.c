@@ -498,8 +498,8 @@ search_progress_text(
 	if (state == CALIBRATE_POLISHING)
 		return polish_progress_text(s, points);
 	if (session_is_calibrating(s) && state >= CALIBRATE_TOLERANCE)
-		return xstrdup(tr("posterior: drawing the parameters that the "
-				  "data allow"));
+		return xstrdup(
+		    tr("posterior: drawing parameters that fit the data"));
 	if (generation == 0 && past->polished && !past->runs)
 		return xasprintf(tr("polished: %.2f points RMS"), points);
 	return candidates_progress_text(s, past, generation);

@@ -196,7 +196,7 @@ site_chart_note_run_marks(struct chart *chart, const struct site *site)
 	if (hollow)
 		chart_note(chart, "hollow marks: held out from the fit");
 	if (left_out > 0)
-		chart_note(chart, "%zu measured runs are not drawn", left_out);
+		chart_note(chart, "%zu measured speeds not drawn", left_out);
 }
 
 void

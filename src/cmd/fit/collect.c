@@ -57,7 +57,7 @@ read_store_materials(
 		const json_t *same = json_object_get(shelf->at, fold);
 		if (same != NULL)
 			ok = error_at(error, ERROR_DATA, path, 0, 0,
-			    "material '%s' is in %s already\nleave one out",
+			    "material '%s' is already in %s\nleave one out",
 			    name, shelf->path[json_integer_value(same)]);
 		shelf->path[n] = path;
 		json_object_set_new_nocheck(

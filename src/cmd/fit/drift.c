@@ -260,11 +260,10 @@ say_basis_of_control_charts(
 		    r->n == 1
 			? N_("this cut was known to the calibration: it is "
 			     "compared with the answer of the other runs, not "
-			     "with that which 'add' compared it with")
+			     "as 'add' compared it")
 			: N_("some of these cuts were known to the "
-			     "calibration: all are compared with the answer "
-			     "of the other runs, not with that which 'add' "
-			     "compared them with"));
+			     "calibration: all are compared with the answer of "
+			     "the other runs, not as 'add' compared them"));
 }
 
 static void

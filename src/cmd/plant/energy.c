@@ -194,8 +194,8 @@ note_whether_one_impact_is_fair(struct answer *r,
 	ratio = mean_impact_energy_over_nominal(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
 		answer_say(r, ANSWER_REMARK,
-		    "without a tip speed nothing can be said of v^2/2: load "
-		    "them with speed=");
+		    "without a tip speed v^2/2 is unknown: load the energies "
+		    "with speed=");
 		return;
 	}
 	bool once = k >= within && k <= 1 / within, hard = ratio >= within;

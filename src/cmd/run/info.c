@@ -107,8 +107,8 @@ error_unknown_command(const char *name, struct error *error)
 	const char *near = command_nearest_name(name);
 	if (breakage_find_by_name(name) < breakage_count_models())
 		return error_set(error, ERROR_USAGE,
-		    "there is no command '%s', but a breakage model\n"
-		    "run 'show models', or 'man model'",
+		    "'%s' is a breakage model, not a command\nrun 'show "
+		    "models', or 'man model'",
 		    name);
 	return error_set(error, ERROR_USAGE,
 	    near != NULL

@@ -112,8 +112,8 @@ next_step_before_load(const struct session *s)
 	return (struct next){NULL,
 	    remembered
 		? N_("load your own sheet: load plant.xlsx; or bring back a "
-		     "site that was remembered: 'recall', which lists them "
-		     "where there are several")
+		     "site that was remembered: 'recall', which lists them if "
+		     "there are several")
 		: N_("load your own sheet: load plant.xlsx; an empty one to "
 		     "fill in: template > my.csv"),
 	    false, NEXT_LOAD};

@@ -222,7 +222,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		const struct bounds usual = bounds_default(before.breakage);
 		if (memcmp(&usual, &s->set.bounds, sizeof usual) != 0)
 			session_note(s,
-			    "  the search bounds are now the usual ones of %s",
+			    "  the search bounds are now the defaults of %s",
 			    BREAKAGES[s->set.model.breakage]->name);
 		s->set.bounds = bounds_default(s->set.model.breakage);
 	}

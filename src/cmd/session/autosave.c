@@ -86,8 +86,7 @@ autosave_begin(struct session *s)
 		FREED char *about = words_of_left_file(&file[0]);
 		offer = xasprintf(
 		    n > 1 ? tr("'restore last' brings back your last session, "
-			       "of %d %s%s (%s); 'restore' lists those before "
-			       "it")
+			       "of %d %s%s (%s); 'restore' lists earlier ones")
 			  : tr("'restore last' brings back your last session, "
 			       "of %d %s%s (%s)"),
 		    tm->tm_mday, tr(MONTHS[tm->tm_mon]), day, about);

@@ -177,9 +177,8 @@ origin_of_remembered_fit(const struct entry *entry, const struct material *m)
 	free(o->words);
 	o->words =
 	    m->date[0] != '\0'
-		? xasprintf(tr("from what was remembered on %s as %s"), m->date,
-		      m->name)
-		: xasprintf(tr("from what was remembered as %s"), m->name);
+		? xasprintf(tr("remembered on %s as %s"), m->date, m->name)
+		: xasprintf(tr("remembered as %s"), m->name);
 	set_material_of_origin(o, m);
 	return o;
 }

@@ -8,7 +8,7 @@ const struct command TABLE_SESSION[] = {
 	.brief = "undo the last change",
 	.flags = COMMAND_UNSAVED,
 	.text =
-	    "Undoes changes of sites, the site in use, parameters, "
+	    "Undoes changes to sites, the site in use, parameters, "
 	    "calibrations, bounds, settings and seed: up to 200 steps. A "
 	    "calibration is one step, even if it was stopped and continued, "
 	    "and so is a sourced script. Written files are not changed.",

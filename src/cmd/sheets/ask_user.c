@@ -515,9 +515,9 @@ static char *
 top_size_question(const char *size, double further)
 {
 	if (size[0] == '\0')
-		return xstrdup(tr("for sieves type the size in mm that all of "
-				  "it passes; for classes n, and write both "
-				  "ends in the sheet"));
+		return xstrdup(
+		    tr("sieves: type the size in mm that all of it passes; "
+		       "classes: type n, and write both ends in the sheet"));
 	return further > 0
 		   ? xasprintf(tr("take %s mm, the next sieve up (or type %g "
 				  "or more, since much is coarser)"),

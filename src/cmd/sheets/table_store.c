@@ -30,15 +30,14 @@ const struct command TABLE_STORE[] = {
 	.flags = COMMAND_CHANGES | COMMAND_DAILY,
 	.option = OPTION_LIST({TEXT(digest), NULL, "",
 	    "refuse a material that has changed; written by save"}),
-	.text = "Brings back what 'remember' stored. Without a site, or "
-		"with the sheet that it was calibrated on, answers, bands"
-		" and light are those of that day by the settings of "
-		"today, and cuts that are added continue from there. "
-		"Another site, in use or SITE, gets the parameters, and "
-		"the runs that they were found on inform its answers, "
-		"which state that they are not calibrated on the site. A "
-		"name that is not one of yours is looked up in Table 3, "
-		"which has parameters only.",
+	.text = "Brings back what 'remember' stored. Without a site, or with "
+		"the sheet that it was calibrated on, answers, bands and light "
+		"are those of that day under today's settings, and cuts that "
+		"are added continue from there. Another site, in use or SITE, "
+		"gets the parameters, and the runs that they were found on "
+		"inform its answers, which state that they are not calibrated "
+		"on the site. A name that is not one of yours is looked up in "
+		"Table 3, which has parameters only.",
 	.example = "load data/sites/borlange.csv\nrecall tierp\npredict 74",
 	.run = cmd_recall},
     {.name = "remember",
@@ -54,10 +53,9 @@ const struct command TABLE_STORE[] = {
 		"site, those added since, the provenance of its data, misfit, "
 		"hold-out RMSE, seed and options; or parameters set by 'params "
 		"set'. 'recall' brings it back. NAME is by default the name of "
-		"the site in 'sites'; all: every site "
-		"that was calibrated, by that name. At the prompt it asks "
-		"before it replaces a material. When the result is printed, "
-		"it is on the disk.",
+		"the site in 'sites'; all: every site that was calibrated, by "
+		"that name. At the prompt it asks before it replaces a "
+		"material. Once the result is printed, it is on the disk.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "remember date=2026-11-21 note=\"after new liners\"\n"
 		   "store list origin=own",

@@ -275,8 +275,8 @@ site_with_mend(
 	}
 	site_free(site);
 	error_set(error, ERROR_USAGE,
-	    "the mend would leave no curve that a site can have\n"
-	    "passing must not rise on a finer sieve, all of a feed must pass "
-	    "its coarsest sieve, and two sieves must be left");
+	    "the mend would make a curve invalid\npassing must not rise on a "
+	    "finer sieve, all of a feed must pass its coarsest sieve, and two "
+	    "sieves must be left");
 	return NULL;
 }

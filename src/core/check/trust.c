@@ -410,9 +410,8 @@ judge_fit_and_data(struct trust *t, const struct evidence *e, double rotor)
 			e->cells, e->parameters));
 	if (e->speeds == 1)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
-		    xasprintf(
-			tr("one speed, %g m/s%s, was measured: nothing shows "
-			   "what the speed does; add a cut at another"),
+		    xasprintf(tr("only one speed, %g m/s%s, was measured: the "
+				 "effect of speed is not known; add another"),
 			e->slowest, rpm));
 	if (e->halves > DRAWS_SETTLED && !e->like_feed)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
@@ -434,10 +433,9 @@ judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 	FREED char *slowest = rotor_speed_rpm_text(rotor, e->slowest, NAN);
 	if (e->against.order.most > 0)
 		trust_add_reason(t, LIGHT_RED, TRUST_DATA,
-		    xasprintf(
-			tr("the run at %g m/s%s is coarser than that at %g%s, "
-			   "by %.1f points at %g mm: exchanged, or another "
-			   "feed? run 'check'"),
+		    xasprintf(tr("the run at %g m/s%s is coarser than at %g%s, "
+				 "by %.1f points at %g mm: exchanged, or "
+				 "another feed? run 'check'"),
 			e->against.fast, fast, e->against.slow, slow,
 			100 * e->against.order.most,
 			1e3 * e->against.order.at));
@@ -571,10 +569,9 @@ judge_threshold_bounds(struct trust *t, const struct evidence *e, double rotor)
 			100 * e->unbounded, e->slowest, rpm));
 	else if (e->breaks > 0.995)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_SLOW,
-		    xasprintf(tr("already at %g m/s%s %.0f %% of what is "
-				 "coarse enough breaks: f_mat is only bounded "
-				 "from below, and at lower speeds less may "
-				 "break"),
+		    xasprintf(tr("at %g m/s%s, %.0f %% of the breakable feed "
+				 "breaks already: f_mat is only bounded from "
+				 "below, and at lower speeds less may break"),
 			e->slowest, rpm, 100 * e->breaks));
 }
 
@@ -640,10 +637,9 @@ judge_question(struct trust *t, const struct trust_question *q)
 			100 * q->feed));
 	if (q->bound != NULL)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_BOUND,
-		    xasprintf(
-			tr("%s is at its bound, and across it the answer "
-			   "would move by %.1f points: the bound, not the "
-			   "data, sets it"),
+		    xasprintf(tr("%s is at its bound, which the data would "
+				 "exceed: past the bound the answer would "
+				 "change by %.1f points"),
 			q->bound, 100 * q->bound_moves));
 }
 

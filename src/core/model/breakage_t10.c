@@ -68,7 +68,7 @@ appearance_text(const struct params *p)
 static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,
     SELECTION_PARAMETERS, ENERGY_PARAMETERS,
     {"kappa", "-", 0, 2, -10, 10, 0,
-	N_("appearance: finer with energy, as t10 is, if above 0"), 0.3},
+	N_("appearance: finer with energy if above 0, as in t10"), 0.3},
     BYPASS_PARAMETER};
 
 KERNELS(t10);

@@ -976,8 +976,7 @@ copy_columns(char *(*way)(const char *), const struct table *from,
 				from->cell[i].number, from->cell[i].decimals,
 				way(from->cell[i].text), NULL});
 	if (left_out[0] != '\0')
-		answer_note(
-		    copy, "left out, as there is no room: %s", left_out);
+		answer_note(copy, "left out for lack of room: %s", left_out);
 }
 
 /* Returns a copy with what people see, all texts converted by `way`: to what a

@@ -482,8 +482,8 @@ book_finish_to_bytes(struct book *b, size_t *n, struct error *error)
 	char *bytes = code == LXW_NO_ERROR ? read_whole_file(b->fd, n) : NULL;
 	if (bytes == NULL)
 		error_set(error, ERROR_SYSTEM,
-		    "cannot put the workbook together: %s\n"
-		    "set TMPDIR to a folder with free space",
+		    "cannot make the workbook: %s\nset TMPDIR to a folder with "
+		    "free space",
 		    errno != 0 ? strerror(errno) : lxw_strerror(code));
 	close_and_free_book(b);
 	return bytes;

@@ -69,7 +69,7 @@ add_stream_of_unit(
 			      "used: a + b")
 			 : N_("expected one use of '%.40s', got a second "
 			      "one\nline %d has the first: divide the stream "
-			      "by a split line"),
+			      "with a split line"),
 		    cell.text, first->line);
 	else if (*n < UNIT_STREAMS) {
 		*first = cell;
@@ -341,7 +341,7 @@ parse_circuit_unit_row(struct reading_circuit *r, const struct row *row)
 	}
 	sheet_fault_expected(r->sheet, word,
 	    "circuit, feed, crusher, screen, split or stockpile",
-	    "each line begins with what it is; see tipspeed-circuit(5)");
+	    "begin each line with one of these; see tipspeed-circuit(5)");
 }
 
 static void
@@ -400,8 +400,8 @@ check_paths_through_circuit(struct reading_circuit *r)
 	else if (trapped < c->n_stream)
 		sheet_fault(r->sheet, r->made[trapped],
 		    "expected a path from '%.40s' to a stockpile, got a loop "
-		    "that never empties\nsend a part of it, or of what becomes "
-		    "of it, to a stockpile",
+		    "that never empties\nsend part of it, or of what it "
+		    "becomes, to a stockpile",
 		    c->stream[trapped]);
 }
 

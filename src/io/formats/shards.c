@@ -164,7 +164,7 @@ check_each_part_once(const struct parts *parts, struct error *error)
 		const char **at = &path[part->number];
 		if (*at != NULL)
 			return error_at(error, ERROR_DATA, part->path, 0, 0,
-			    "part %zu of %zu is in %s already\nleave one out",
+			    "part %zu of %zu is already in %s\nleave one out",
 			    part->number, of, *at);
 		*at = part->path;
 	}

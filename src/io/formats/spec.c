@@ -176,8 +176,8 @@ spec_read_limit_rows(
 			    "remove the row: an envelope has no pan");
 		if (spec->least[i] > spec->most[i])
 			sheet_fault(t->sheet, cell,
-			    "expected min_pct up to max_pct, got %g above %g\n"
-			    "were the two swapped?",
+			    "expected min_pct <= max_pct, got %g above "
+			    "%g\nwere the two swapped?",
 			    100 * spec->least[i], 100 * spec->most[i]);
 	}
 	for (size_t i = 0; i < 2 && !t->lost; i++)

@@ -350,7 +350,7 @@ choose_mass_or_cumulative(
 		*kind = RETAINED;
 	else if (share && s->sum > 1.05 * whole &&
 		 is_within_percent(s->most, whole, 25))
-		assume(c, "cumulative, as the parts would sum to %.3g", s->sum);
+		assume(c, "cumulative: the parts would sum to %.3g", s->sum);
 	else if (!isnan(total) && is_within_percent(s->sum, total, 1))
 		*kind = RETAINED;
 	else if (!(s->has_pan && !isnan(total) &&

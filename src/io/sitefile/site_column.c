@@ -329,9 +329,9 @@ add_washed_mass_to_pan(struct column *c, struct foot *foot)
 	if (foot->odd.text != NULL)
 		return sheet_fault(c->table->sheet, foot->odd,
 		    "expected the masses before and after washing, or what was "
-		    "washed out, got %s alone\n"
-		    "head the lines 'mass before washing' and 'mass after "
-		    "washing', or write the difference as 'washed out'",
+		    "washed out, got %s alone\nlabel the lines 'mass before "
+		    "washing' and 'mass after washing', or write the "
+		    "difference as 'washed out'",
 		    foot->odd.text);
 	if (foot->washed > 0)
 		c->pan = (isnan(c->pan) ? 0 : c->pan) + foot->washed;

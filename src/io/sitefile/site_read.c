@@ -184,9 +184,8 @@ check_quantities_agree(const struct columns *all, const struct column *twin)
 			if (!(fabs(c->pct[i] - twin->pct[i]) > far))
 				continue;
 			sheet_fault(t->sheet, t->row[i].cell[twin->at],
-			    "expected the sample of column %zu again, got "
-			    "%s %% passing and %s %%\n"
-			    "say which is to be read: load FILE "
+			    "expected the same sample as column %zu, got %s %% "
+			    "passing and %s %%\nsay which to read: load FILE "
 			    "columns=\"1=sieve mm, 2=feed, ..\"",
 			    twin->twin,
 			    text_number_to_tell_apart(
@@ -895,7 +894,7 @@ note_speeds_from_rpm(struct reading *r)
 	}
 	if (rpm[0] != '\0')
 		xappend_to_list(&r->site->remark, "; ",
-		    tr("%s rpm of a rotor of %g mm read as %s m/s"), rpm,
+		    tr("%s rpm, rotor of %g mm, read as %s m/s"), rpm,
 		    1000 * rotor, mps);
 }
 

@@ -357,7 +357,6 @@ samples_report_missing(const struct samples *s, const struct table *t)
 		xappend_to_list(&list, ", ", "%s", label);
 	}
 	sheet_fault(t->sheet, t->row[0].cell[0],
-	    "expected a sample called %s, got none\n"
-	    "its samples: %s%s",
+	    "expected a sample called %s, got none\nsamples here: %s%s",
 	    s->item[i].name, list, t->n_col > SHOWN + 1 ? ", .." : "");
 }

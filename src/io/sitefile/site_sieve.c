@@ -52,9 +52,9 @@ fault_unknown_sieve_name(struct table *t, struct cell cell)
 	    t->unit.series == SIEVE_MESH) {
 		sheet_fault_expected(t->sheet, cell,
 		    "a mesh number with its series",
-		    "write Tyler, BS or No. (ASTM E11) before the numbers, or "
-		    "head the column with it; or load FILE columns=\"%zu=sieve "
-		    "tyler, ..\"",
+		    "write Tyler, BS or No. (ASTM E11) before the numbers or "
+		    "in the heading; or load FILE columns=\"%zu=sieve tyler, "
+		    "..\"",
 		    t->number[0]);
 		return;
 	}

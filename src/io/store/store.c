@@ -171,7 +171,7 @@ set_error_from_sqlite(const struct store *store, struct error *error)
 		    tr(p->hint));
 	}
 	return error_at(error, ERROR_SYSTEM, store->path, 0, 0,
-	    "the store fails: %s",
+	    "the store failed: %s",
 	    store->db != NULL ? sqlite3_errmsg(store->db) : tr("no memory"));
 }
 

@@ -46,9 +46,9 @@ static const struct {
 	   "are reconstructed from it."),
 	PICK_SHIPPED},
     {N_("Estimate from rock type and top size"),
-	N_("Where only the feed was sampled: from the materials of other "
-	   "quarries, with a wide band. Choose the sheet with the feed, then "
-	   "complete the command."),
+	N_("If only the feed was sampled: uses materials of other quarries, "
+	   "with a wide band. Choose the sheet with the feed, then complete "
+	   "the command."),
 	PICK_FEEDS}};
 
 static void

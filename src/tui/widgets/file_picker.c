@@ -68,7 +68,7 @@ propose_guess_command(struct tui *t)
 	if (site->rock[0] == '\0') {
 		t->line.at = strlen(BEGIN);
 		tui_say(t, false,
-		    "type the rock, granite say, and Enter: the sheet does not "
+		    "type the rock, say granite, and Enter: the sheet does not "
 		    "state it");
 	}
 }

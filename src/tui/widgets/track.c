@@ -472,8 +472,8 @@ act_go_to_goal_speed(struct tui *t, const struct key *key)
 	track_run_pending_key(t, t->aside);
 	if (t->pending_key != NULL)
 		tui_say(t, false,
-		    "the goal's speeds are being worked out: the slider then "
-		    "goes there; Esc: it stays");
+		    "working out the goal's speeds: the slider will then go "
+		    "there; Esc keeps it here");
 }
 
 void
