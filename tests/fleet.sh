@@ -86,7 +86,7 @@ result $? 'a part whose task was killed is missed by its number'
 run part=2/3 p2.json && collected p1.json p2.json p3.json
 result $? 'and is made again alone'
 
-refuses 'part 1 of 3 is in p1.json already' p1.json p2.json p3.json again.json
+refuses 'part 1 of 3 is already in p1.json' p1.json p2.json p3.json again.json
 result $? 'a part that is there twice is refused'
 run part=2/4 four.json
 refuses 'expected a part of 3, as p1.json is, got one of 4' p1.json four.json
@@ -155,7 +155,7 @@ result $? "the parts' stores are the store of one run"
 refuses 'but is in none of the stores' $parts part1.db part2.db
 result $? 'a store that is missing is missed'
 cp part1.db again.db
-refuses 'is in part1.db already\|is in again.db already' \
+refuses 'is already in part1.db\|is already in again.db' \
 	$parts part1.db part2.db part3.db again.db
 result $? 'a material that is there twice is refused'
 "$TIPSPEED" --store=other.db -c 'synth table.csv' -c \

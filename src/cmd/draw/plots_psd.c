@@ -220,7 +220,7 @@ add_band_of_differences(
  * the nearest speed minus the prediction, with the band of the prediction.
  * Adds nothing if there is neither. */
 static void
-add_difference_strip(struct chart *chart, int rows)
+add_difference_strip(struct chart *chart, int rows, bool band)
 {
 	const struct chart_series *last = chart->series[chart->n - 1];
 	const struct chart_series *other = NULL, *measured = NULL;
@@ -236,7 +236,7 @@ add_difference_strip(struct chart *chart, int rows)
 			add_difference_curve(strip, chart, s, last, *s);
 		}
 	}
-	if (strip->n > 0 && last->low != NULL)
+	if (strip->n > 0 && band && last->low != NULL)
 		add_band_of_differences(strip, last);
 	free(strip->title);
 	strip->title = title_of_difference_strip(last, other, measured);
@@ -659,7 +659,9 @@ fill_psd_chart(struct chart *chart, struct session *s,
 	if (one == NULL)
 		chart_note(chart, "no prediction: %s", p->unknown.text);
 	else if (q->strip > 0)
-		add_difference_strip(chart, q->strip);
+		/* The screen's band would change many cells at each step. */
+		add_difference_strip(
+		    chart, q->strip, (q->words & CHART_NOTES) != 0);
 	site_chart_note_run_marks(chart, entry->site);
 	site_chart_note_feed_adjustment(chart, moved);
 	if (!isnan(q->crosshair_mm))
