@@ -306,7 +306,7 @@ text_write_sheet_cell(const char *text, char separator, FILE *out)
 }
 
 void
-text_write_sheet_number(double value, char separator, FILE *out)
+text_write_csv_number(double value, char separator, FILE *out)
 {
 	char text[32];
 	text_shortest_exact_number(value, text);

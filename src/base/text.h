@@ -66,7 +66,7 @@ void text_write_sheet_cell(const char *text, char separator, FILE *out);
 
 /* Writes a number with a decimal point or, if the separator is a semicolon,
  * with a decimal comma. */
-void text_write_sheet_number(double value, char separator, FILE *out);
+void text_write_csv_number(double value, char separator, FILE *out);
 
 /* Returns the letters of a spreadsheet's column, counted from 1, such as
  * "AB". */

@@ -25,8 +25,8 @@ bool signals_wait_with_mask(const sigset_t *mask, double seconds);
 /* Lets blocked signals arrive now. */
 void signals_deliver_blocked(void);
 
-/* Between signals_catch_terminal and signals_release_terminal, ^Z, the return from
- * it and a change of the terminal's size are recorded.
+/* Between signals_catch_terminal and signals_release_terminal, ^Z, the return
+ * from it and a change of the terminal's size are recorded.
  * signals_take_terminal_events returns those since its last call, as these
  * bits. */
 enum { SIGNALS_STOP = 1, SIGNALS_WAKE = 2, SIGNALS_SIZE = 4 };

@@ -40,8 +40,8 @@ struct canvas_cell *canvas_cell_at(struct canvas *canvas, int column, int row);
 void canvas_put_text(struct canvas *canvas, int column, int row,
     const char *text, enum series series, unsigned attribute);
 
-/* As canvas_put_text, but clipped at column `end`.  Returns the column after the
- * text. */
+/* As canvas_put_text, but clipped at column `end`.  Returns the column after
+ * the text. */
 int canvas_put_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute);
 

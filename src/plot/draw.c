@@ -87,8 +87,8 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 	return xasprintf("%s%s%s", line, mark[0] != '\0' ? mark : line, line);
 }
 
-/* As canvas_put_text, but text that the edge would cut is shortened to what can be
- * read. */
+/* As canvas_put_text, but text that the edge would cut is shortened to what can
+ * be read. */
 static void
 put_text_cut_to_width(struct layout *l, int column, int row, const char *text,
     enum series series, unsigned attribute)

@@ -34,8 +34,8 @@ struct display *screen_begin_offscreen(
     int rows, int columns, enum charset charset, int depth);
 struct canvas *screen_end_offscreen(struct display *was);
 
-/* Omits canvases, rules and walls from offscreen frames, for a screen
- * reader. */
+/* If `on`, leaves charts and lines between areas out of offscreen frames, for a
+ * screen reader. */
 void screen_set_text_only(bool on);
 
 /* Returns the last frame, which the screen owns, or NULL.  For tests. */

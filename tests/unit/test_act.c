@@ -422,7 +422,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	t->aside = false;
 	for (size_t i = 0; i < ARRAY_LEN(AWAY); i++) {
 		type(t, "074.1\nN");
-		assert_non_null(strstr(t->message, "being worked out"));
+		assert_non_null(strstr(t->message, "working out"));
 		assert_int_equal(tui_slider_position(t), 741);
 		type(t, AWAY[i]);
 		int there = tui_slider_position(t);

@@ -195,7 +195,7 @@ text_leaves_out_columns_that_can_be_spared(void **state)
 	answer_note_column(a, SECOND, "of the second");
 	answer_note_column(a, FIRST, "of the first");
 	FREED char *text = xasprintf("  first%*s  needed\n  %s       1\n"
-				     "left out, as there is no room: second\n"
+				     "left out for lack of room: second\n"
 				     "of the first\n",
 	    WIDE - 5, "", wide);
 	prints(a, ANSWER_TABLE, 1, text);

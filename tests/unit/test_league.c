@@ -170,7 +170,7 @@ models_extend_each_other(void **state)
 	assert_false(breakage_extends(0, 0));
 	assert_false(breakage_extends(2, 0));
 	struct params p = made_params(&TABLE_3[TIERP]);
-	struct params q = breakage_widen_params(&p, 4);
+	struct params q = breakage_params_in_wider(&p, 4);
 	assert_true(params_value_by_name(&q, "alpha") == p.alpha);
 	assert_true(params_value_by_name(&q, "gamma") == 0);
 	assert_true(params_value_by_name(&q, "bypass") == 0);
@@ -182,22 +182,23 @@ what_changes_nothing_is_left_out(void **state)
 	(void)state;
 	struct params p = made_params(&TABLE_3[TIERP]);
 	struct params wide =
-	    breakage_widen_params(&p, breakage_find_by_name("grunditz-t10"));
+	    breakage_params_in_wider(&p, breakage_find_by_name("grunditz-t10"));
 	wide.at[breakage_parameter_index(
 	    breakage_model_of_params(&wide), "e_ref")] = 2700;
-	struct params q = breakage_narrow_params(&wide);
+	struct params q = breakage_params_in_narrower(&wide);
 	assert_int_equal(q.breakage, p.breakage);
 	assert_memory_equal(
 	    q.at, p.at, breakage_model_of_params(&p)->n * sizeof *q.at);
 	wide.at[breakage_parameter_index(
 	    breakage_model_of_params(&wide), "gamma")] = 0.1;
-	q = breakage_narrow_params(&wide);
+	q = breakage_params_in_narrower(&wide);
 	assert_int_equal(q.breakage, breakage_find_by_name("grunditz-energy"));
 	assert_true(params_value_by_name(&q, "gamma") == 0.1);
 	assert_true(params_value_by_name(&q, "e_ref") == 2700);
 	wide.at[breakage_parameter_index(
 	    breakage_model_of_params(&wide), "kappa")] = 0.1;
-	assert_int_equal(breakage_narrow_params(&wide).breakage, wide.breakage);
+	assert_int_equal(
+	    breakage_params_in_narrower(&wide).breakage, wide.breakage);
 }
 
 static struct fit

@@ -384,8 +384,8 @@ differences_have_a_strip(void **state)
 	struct chart *c = chart_of(desk, &q);
 	assert_non_null(c->below);
 	assert_int_equal(c->below->n, 1);
-	assert_string_equal(
-	    c->below->title, "points; marks: measured 74 m/s less predicted");
+	assert_string_equal(c->below->title,
+	    "points; marks: measured 74 m/s less predicted 74.3 m/s");
 	chart_free(c);
 	q.other_speed = 70;
 	c = chart_of(desk, &q);
@@ -448,7 +448,7 @@ all_runs_are_drawn(void **state)
 	bool said = false;
 	for (size_t i = 0; i < c->n_note; i++)
 		said = said ||
-		       strcmp(c->note[i], "2 measured runs are not drawn") == 0;
+		       strcmp(c->note[i], "2 measured speeds not drawn") == 0;
 	assert_true(said);
 	chart_free(c);
 }

@@ -72,16 +72,16 @@ a_density_integrates_to_one_within_its_bounds(void **state)
 	for (size_t i = 0; i < N; i++)
 		draw[i] = 1 - pow(((double)i + 0.5) / N, 2);
 	for (size_t i = 0; i < STEPS; i++)
-		sum += profile_density_of_draws(
+		sum += profile_kde_of_draws(
 			   draw, N, 0, 1, ((double)i + 0.5) / STEPS) /
 		       STEPS;
 	expect_near("integral", sum, 1, 1e-3);
 	/* Its density is 1 / (2 sqrt(1 - x)). */
-	expect_near("at 0.5", profile_density_of_draws(draw, N, 0, 1, 0.5),
+	expect_near("at 0.5", profile_kde_of_draws(draw, N, 0, 1, 0.5),
 	    sqrt(0.5), 0.05);
 	draw[0] = draw[1] = 0.5;
 	expect_near(
-	    "alike", profile_density_of_draws(draw, 2, 0, 1, 0.5), 0, 1e-12);
+	    "alike", profile_kde_of_draws(draw, 2, 0, 1, 0.5), 0, 1e-12);
 }
 
 int

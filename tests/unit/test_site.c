@@ -68,8 +68,8 @@ static const struct {
 	"its tip speed", "3=product@SPEED"},
     {"size_mm,feed,product@79,retained_pct@79\n8,100,100,0\n4,60,80,5\n"
      "1,10,20,95\n",
-	3, 9, "the sample of column 3 again, got 80 % passing and 95 %",
-	"which is to be read"},
+	3, 9, "the same sample as column 3, got 80 % passing and 95 %",
+	"which to read"},
     {"size_mm,feed@69,product@69,feed@79,feed@79,product@79\n"
      "8,100,100,100,100,100\n4,60,80,60,61,90\n",
 	1, 36, "one feed@79, got 2", "in the same order"},

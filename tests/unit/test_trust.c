@@ -130,7 +130,7 @@ test_sense(void **state)
 	trust_free(&t);
 	t = asked(&exchanged, (struct trust_question){.speed = 74});
 	assert_int_equal(t.light, LIGHT_RED);
-	assert_true(names(&t, "run at 74 m/s is coarser than that at 69, by "
+	assert_true(names(&t, "run at 74 m/s is coarser than at 69, by "
 			      "6.0 points at 4"));
 	trust_free(&t);
 }

@@ -566,7 +566,7 @@ note_goal_unattainable(
 		    unit, c->from, slow, high, unit, c->to, fast);
 	note_value_at_nearest_measured(r, goal, speed_nearest_to_goal(goal));
 	if (finer &&
-	    conditions_note_feed_is_finer(r, c, &goal->target, rises > 0))
+	    conditions_note_feed_too_fine(r, c, &goal->target, rises > 0))
 		return;
 	if (rises != 0)
 		conditions_note_no_reliable_speed(r, c, finer, !finer);

@@ -395,7 +395,7 @@ add_balance_cells(
 /* For people: what stays in each class, broken or not, what leaves it and what
  * comes in.  stay + left is the feed, stay + came the product. */
 static void
-add_balance_rows_for_people(struct answer *r, const struct mass_change *b)
+add_class_rows_for_people(struct answer *r, const struct mass_change *b)
 {
 	double sum[2][3] = {{0}}, feed = 0, all = 0;
 	answer_columns(r, "class: on mm, feed_pct: feed %%");
@@ -433,7 +433,7 @@ add_balance_rows_for_people(struct answer *r, const struct mass_change *b)
 
 /* For programs: a row for each speed and class. */
 static void
-add_balance_rows_for_programs(struct answer *r, const struct mass_change *b)
+add_class_rows_for_programs(struct answer *r, const struct mass_change *b)
 {
 	answer_columns(r, "speed, from_mm, to_mm, feed_pct, unbroken_pct, "
 			  "within_pct, left_pct, arrived_pct, product_pct");
@@ -489,7 +489,7 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 /* Returns the largest difference, with its sign, between the change of the
  * answer and that of the model alone, and sets *sieve to its sieve, m. */
 static double
-largest_correction_of_change(const struct mass_change *b, double *sieve)
+largest_change_not_in_model(const struct mass_change *b, double *sieve)
 {
 	const struct prediction *p = b->p;
 	double most = 0;
@@ -508,7 +508,7 @@ largest_correction_of_change(const struct mass_change *b, double *sieve)
 static void
 note_correction_of_change(struct answer *r, const struct mass_change *b)
 {
-	double sieve = 0, most = largest_correction_of_change(b, &sieve);
+	double sieve = 0, most = largest_change_not_in_model(b, &sieve);
 	bool corrected = b->p[0].low != NULL;
 	answer_say(r, ANSWER_REMARK,
 	    "On each sieve, in %% of the feed's mass: stay + left = feed, "
@@ -560,9 +560,9 @@ show_mass_balance(struct mass_change *b)
 	struct answer *r = answer_about_site(entry->site, "why",
 	    "where the mass goes, %g and %g m/s%s", b->p[0].speed,
 	    b->p[1].speed, rpm);
-	add_balance_rows_for_people(r, b);
+	add_class_rows_for_people(r, b);
 	answer_begin_table_for_programs(r);
-	add_balance_rows_for_programs(r, b);
+	add_class_rows_for_programs(r, b);
 	note_where_mass_goes(r, b);
 	note_correction_of_change(r, b);
 	for (size_t k = 0; k < 2; k++) {

@@ -380,7 +380,8 @@ conditions_add_envelope(const struct spec *spec,
 		f.fine = spec->cut[0];
 		f.coarse = spec->cut[1];
 	}
-	bool modulus = envelope_add_conditions(spec, &f, feed, &all, &n_sieve);
+	bool modulus =
+	    envelope_limits_to_conditions(spec, &f, feed, &all, &n_sieve);
 	for (size_t i = 0; i < all.n; i++)
 		if (!isnan(all.at[i].least) || !isnan(all.at[i].most))
 			conditions_add(list, all.at[i]);
@@ -712,7 +713,7 @@ conditions_open_search(const struct session *s, const struct question *q,
 }
 
 bool
-conditions_note_feed_is_finer(struct answer *r,
+conditions_note_feed_too_fine(struct answer *r,
     const struct conditions_search *wanted, const struct condition *c,
     bool most)
 {
@@ -732,13 +733,13 @@ conditions_note_feed_is_finer(struct answer *r,
 	return true;
 }
 
-/* As conditions_note_feed_is_finer, for the limit missed at the best speed. */
+/* As conditions_note_feed_too_fine, for the limit missed at the best speed. */
 static bool
 note_feed_misses_limit(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found)
 {
 	struct wanted_limit missed = found->margin.limit;
-	return conditions_note_feed_is_finer(
+	return conditions_note_feed_too_fine(
 	    r, wanted, &wanted->at[missed.i], missed.most);
 }
 

@@ -41,8 +41,8 @@ bool conditions_parse_list(const char *text, const struct fraction *fraction,
 bool conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
-/* Appends the limits of an envelope (envelope_add_conditions) on a fraction or,
- * if that is the whole product, on the envelope's own fraction. */
+/* Appends the limits of an envelope (envelope_limits_to_conditions) on a
+ * fraction or, if that is the whole product, on the envelope's own fraction. */
 bool conditions_add_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error);
@@ -127,7 +127,7 @@ void conditions_note_why_unmet(struct answer *r,
 
 /* If the feed itself is already too fine for a limit of the condition (its
  * upper limit if `most`), notes that no speed can help, and returns true. */
-bool conditions_note_feed_is_finer(struct answer *r,
+bool conditions_note_feed_too_fine(struct answer *r,
     const struct conditions_search *wanted, const struct condition *c,
     bool most);
 

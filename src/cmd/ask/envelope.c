@@ -166,7 +166,7 @@ individual_retained_limit(const struct standards *all, const char *standard)
 }
 
 bool
-envelope_add_conditions(const struct spec *spec,
+envelope_limits_to_conditions(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, size_t *n_sieve)
 {
@@ -227,7 +227,7 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
 {
 	g->modulus = modulus_of_sand_standard(g->spec);
-	envelope_add_conditions(
+	envelope_limits_to_conditions(
 	    g->spec, &g->fraction, question_feed(q), &g->limits, &g->n_sieve);
 	if (g->n_sieve == 0) {
 		conditions_free(&g->limits);

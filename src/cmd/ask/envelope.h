@@ -22,7 +22,7 @@ const struct spec *envelope_find(
  * limits these.  All questions about an envelope get its limits here; they
  * point into it.  Returns false if the modulus is limited, but the feed's
  * sieves do not reach far enough for it. */
-bool envelope_add_conditions(const struct spec *spec,
+bool envelope_limits_to_conditions(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, size_t *n_sieve);
 
@@ -35,7 +35,7 @@ bool envelope_error_no_sieve(const struct spec *spec, struct error *error);
 struct grading {
 	const struct spec *spec;
 	struct fraction fraction;
-	/* The limits (envelope_add_conditions); the first n_sieve are on
+	/* The limits (envelope_limits_to_conditions); the first n_sieve are on
 	 * sieves. */
 	struct condition_list limits;
 	size_t n_sieve;

@@ -352,7 +352,7 @@ add_speed_interval(
  * 0 if they all hold at it, -1 if it is too slow, because it misses a limit
  * that step k misses too, and 1 if it is too fast. */
 static int
-bisection_direction(const struct speed_search *s,
+side_of_speed_interval(const struct speed_search *s,
     const struct conditions_search *w, size_t k, double v)
 {
 	forecast_set_speed(w->forecast, v);
@@ -390,7 +390,7 @@ bisect_interval_end(const struct speed_search *s,
 	const double close = 1e-4;
 	while (fabs(bad - good) > close) {
 		double v = (good + bad) / 2;
-		*(bisection_direction(s, w, k, v) == 0 ? &good : &bad) = v;
+		*(side_of_speed_interval(s, w, k, v) == 0 ? &good : &bad) = v;
 	}
 	return good;
 }
@@ -404,7 +404,7 @@ find_interval_between_steps(
 	int way = 1;
 	while (way != 0 && b - a > close) {
 		double v = (a + b) / 2;
-		way = bisection_direction(s, w, k, v);
+		way = side_of_speed_interval(s, w, k, v);
 		if (way <= 0)
 			a = v;
 		if (way >= 0)

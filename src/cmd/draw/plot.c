@@ -467,7 +467,7 @@ describe_axes(struct answer *r, const struct chart *c)
 /* Returns "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" for a size distribution,
  * otherwise "". */
 static char *
-p_sizes_text(const struct chart *c, const struct chart_series *s)
+curve_p_sizes_text(const struct chart *c, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
@@ -499,7 +499,7 @@ describe_curve(
 	       (isnan(s->y[last]) || s->y[last] == s->y[last - step]))
 		last -= step;
 	const char *x = axis_unit_suffix(&c->x), *y = axis_unit_suffix(&c->y);
-	FREED char *sizes = p_sizes_text(c, s);
+	FREED char *sizes = curve_p_sizes_text(c, s);
 	if (first == last)
 		answer_note(
 		    r, "%s: %.4g%s throughout", s->name, s->y[first], y);

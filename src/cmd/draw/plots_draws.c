@@ -271,7 +271,7 @@ add_draw_density_curve(
 	for (size_t i = 0; i < POINTS; i++) {
 		s->x[i] = chart->x.low + (chart->x.high - chart->x.low) *
 					     (double)i / (POINTS - 1);
-		s->y[i] = profile_density_of_draws(draw, POSTERIOR_DRAWS,
+		s->y[i] = profile_kde_of_draws(draw, POSTERIOR_DRAWS,
 		    a->bounds.lower[a->j], a->bounds.upper[a->j], s->x[i]);
 		if (s->x[i] < a->bounds.lower[a->j] ||
 		    s->x[i] > a->bounds.upper[a->j])

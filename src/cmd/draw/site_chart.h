@@ -66,9 +66,9 @@ void site_chart_note_run_marks(struct chart *chart, const struct site *site);
  * largest_move_to_feed. */
 void site_chart_note_feed_adjustment(struct chart *chart, double most);
 
-/* psd shows the measured products at the SITE_CHART_SPEEDS speeds nearest to its
- * own.  site_chart_count_speeds_left_out returns how many speeds that leaves
- * out. */
+/* psd shows the measured products at the SITE_CHART_SPEEDS speeds nearest to
+ * its own.  site_chart_count_speeds_left_out returns how many speeds that
+ * leaves out. */
 enum { SITE_CHART_SPEEDS = 12 };
 size_t site_chart_count_speeds_left_out(const struct site *site);
 

@@ -38,7 +38,7 @@ put_null_model_rmse(struct fields *o, const double rmse[static VALIDATE_WAYS])
 
 /* Computes the root mean square over the runs of the RMSE of each way. */
 static void
-rmse_over_runs(const struct trials *c, double rmse[static VALIDATE_WAYS])
+rmse_of_each_way(const struct trials *c, double rmse[static VALIDATE_WAYS])
 {
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
 		double sum = 0;
@@ -120,7 +120,7 @@ put_validation_fields(struct fields *o, const struct trials *c)
 		fields_put_values(o, "holdout_each %d", true);
 	if (c->n == 0)
 		return;
-	rmse_over_runs(c, rmse);
+	rmse_of_each_way(c, rmse);
 	o = fields_add_object(o, "overall");
 	fields_put_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
 	fields_put_number(
@@ -309,7 +309,7 @@ static void
 note_best_way_to_predict(struct answer *r, const struct trials *c)
 {
 	double rmse[VALIDATE_WAYS];
-	rmse_over_runs(c, rmse);
+	rmse_of_each_way(c, rmse);
 	struct winner w = way_with_least_rmse(rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
@@ -429,7 +429,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 		    : tr("speeds kept as a check, measured and predicted"));
 	add_validation_table(r, c, sieves, false);
 	if (c->n > 1) {
-		rmse_over_runs(c, rmse);
+		rmse_of_each_way(c, rmse);
 		answer_text(r, "all");
 		answer_set_missing(r, "");
 		if (site->rotor > 0 && !c->item[0].in_rpm)
@@ -445,9 +445,8 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	if (c->n == 0)
 		answer_say(r, ANSWER_REMARK,
 		    job_count_usable_speeds(site) < JOB_FOR_EACH
-			? N_("no run was held out; measure another speed to "
-			     "test "
-			     "the model")
+			? N_("no run was held out; sample another speed to "
+			     "test the model")
 			: N_("no run was held out: 'validate holdout=each' "
 			     "holds "
 			     "out each speed in turn"));
@@ -550,7 +549,7 @@ scores_all_sites_answer(const struct trials *c)
 	return r;
 }
 
-/* Sets number to the addresses of the members that a score needs, in a fixed
+/* Fills number[] with the addresses of the members of a score, in a fixed
  * order. */
 static void
 point_to_score_numbers(

@@ -263,7 +263,7 @@ append_options_of_fit(char **list, const struct entry *entry)
 /* Shows the answer of a part that may be empty; otherwise fails.  refused: the
  * error about the first calibrated site that cannot be compared, if any. */
 static bool
-show_empty_part(struct session *s, struct validating *c,
+show_none_to_compare(struct session *s, struct validating *c,
     const struct error *refused, struct error *error)
 {
 	const struct part *part = &c->part;
@@ -330,7 +330,7 @@ begin_comparisons(struct session *s, struct validating *c, struct error *error)
 		    "%s\n%s",
 		    n_refused, n_fit, keys, refused.text, refused.hint);
 	if (n == 0)
-		return show_empty_part(s, c, &refused, error);
+		return show_none_to_compare(s, c, &refused, error);
 	session_discard_paused_job(s);
 	return job_start(s, &job);
 }

@@ -205,9 +205,9 @@ note_whether_one_impact_is_fair(struct answer *r,
 		? N_("one impact at v^2/2 is a fair picture here: k is near 1 "
 		     "and the first impact has most of the energy")
 	    : once
-		? N_("one impact at v^2/2 is fair for the sum alone here: k "
-		     "is near 1, but the energy is spread over impacts that "
-		     "are weaker than v^2/2")
+		? N_("one impact at v^2/2 gives the right total here, but no "
+		     "more: k is near 1, yet the energy is spread over impacts "
+		     "that are weaker than v^2/2")
 		: N_("one impact at v^2/2 is a poor approximation here: the "
 		     "impacts break as much as k impacts at v^2/2 would, and k "
 		     "is not near 1; a calibrated f_mat makes up for it"));

@@ -94,7 +94,7 @@ session_adopt_unloaded_site(struct session *s, struct site *site)
 }
 
 static uint64_t
-digest_of_file_inode(const struct stat *file)
+digest_of_file_identity(const struct stat *file)
 {
 	uint64_t digest = text_fnv1a_digest(
 	    TEXT_DIGEST_START, &file->st_dev, sizeof file->st_dev);
@@ -109,7 +109,7 @@ lookup_keys_of_site(const struct site *site)
 	struct lookup_keys lookup = {
 	    digest_of_text(slug), digest_of_text(site->path), 0};
 	if (stat(site->path, &file) == 0)
-		lookup.file = digest_of_file_inode(&file);
+		lookup.file = digest_of_file_identity(&file);
 	return lookup;
 }
 
@@ -142,7 +142,7 @@ find_site_of_file(const struct session *s, const struct site *site)
 	if (stat(site->path, &file) != 0)
 		return s->n_entry;
 	struct lookup_keys own = {
-	    0, digest_of_text(site->path), digest_of_file_inode(&file)};
+	    0, digest_of_text(site->path), digest_of_file_identity(&file)};
 	for (size_t i = 0; i < s->n_entry; i++)
 		if ((s->entry[i].lookup.path == own.path ||
 			s->entry[i].lookup.file == own.file) &&

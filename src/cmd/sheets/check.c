@@ -295,7 +295,7 @@ report_wide_gap_in_feed(struct answer *r, const struct entry *entry)
 /* Reports a cell that is the only empty one in its row: a mass that was
  * forgotten there is missing from the total. */
 static void
-report_empty_cells(struct answer *r, const struct entry *entry)
+report_lone_empty_cells(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	char buf[40];
@@ -421,7 +421,7 @@ check_site(
 	ok = check_products_by_speed(r, entry) && ok;
 	check_repeats_agree(r, entry);
 	report_columns_entered_twice(r, entry);
-	report_empty_cells(r, entry);
+	report_lone_empty_cells(r, entry);
 	report_wide_gap_in_feed(r, entry);
 	struct outlier_findings d = mend_find_faults(s, entry);
 	report_suspect_cells(r, entry, &d);

@@ -31,7 +31,7 @@ number_range_text(double least, double most)
 }
 
 static char *
-time_span_text(double from, double to)
+time_range_text(double from, double to)
 {
 	FREED char *a = datetime_to_text(from);
 	FREED char *b = datetime_start_of_day(from) == datetime_start_of_day(to)
@@ -70,7 +70,7 @@ note_log_contents(struct session *s, const struct plant_log *log)
 {
 	FREED char *rows = row_count_text(log->n),
 		   *all = log_contents_text(log);
-	FREED char *span = time_span_text(log->time[0], log->time[log->n - 1]);
+	FREED char *span = time_range_text(log->time[0], log->time[log->n - 1]);
 	session_note(s, "log: %s from %s, %s", rows, span, all);
 	session_note(s, "  read: %s", log->read_as);
 	if (log->assumed[0] != '\0')
@@ -80,7 +80,7 @@ note_log_contents(struct session *s, const struct plant_log *log)
 		    s, "  not read: %zu rows without a time", log->passed);
 	if (has_log_time_gap(log)) {
 		FREED char *gap =
-		    time_span_text(log->gap_from, log->gap_from + log->gap);
+		    time_range_text(log->gap_from, log->gap_from + log->gap);
 		session_note(s, "  the longest gap: %s", gap);
 	}
 }
@@ -185,7 +185,7 @@ note_speed_from_log(struct session *s, const struct plant_log *log, double time,
 	const double steady = 0.02;
 	enum log_column k = log->value[LOG_SPEED] != NULL ? LOG_SPEED : LOG_RPM;
 	FREED char *at = datetime_to_text(time);
-	FREED char *span = time_span_text(time - within, time + within);
+	FREED char *span = time_range_text(time - within, time + within);
 	FREED char *range = number_range_text(w->least[k], w->most[k]),
 		   *more = xstrdup("");
 	if (k == LOG_RPM)
@@ -208,13 +208,13 @@ note_speed_from_log(struct session *s, const struct plant_log *log, double time,
 }
 
 static bool
-fail_without_log_row(const struct plant_log *log, double time, double within,
+fail_no_log_row_near(const struct plant_log *log, double time, double within,
     struct error *error)
 {
 	double near = log->time[plant_log_row_nearest_time(log, time)];
 	FREED char *at = datetime_to_text(time),
 		   *nearest = datetime_to_text(near);
-	FREED char *span = time_span_text(log->time[0], log->time[log->n - 1]);
+	FREED char *span = time_range_text(log->time[0], log->time[log->n - 1]);
 	error_set(error, ERROR_USAGE,
 	    "the log has no row within %g minutes of %s; the nearest is at "
 	    "%s\nthe log has %s; window= looks further, or give the speed",
@@ -246,7 +246,7 @@ log_find_speed_at(struct session *s, double time, double within, double rotor,
 	struct log_window w =
 	    plant_log_summarise_window(log, time - within, time + within);
 	if (w.n == 0)
-		return fail_without_log_row(log, time, within, error);
+		return fail_no_log_row_near(log, time, within, error);
 	double v = tip_speed_of_window(log, &w, rotor);
 	if (!(v >= 1 && v <= SITE_FASTEST)) {
 		FREED char *at = datetime_to_text(time);
@@ -294,7 +294,7 @@ show_log(struct session *s, const struct args *args, struct error *error)
 	answer_add_pair(r, "read", "%s", log->read_as);
 	if (has_log_time_gap(log)) {
 		FREED char *gap =
-		    time_span_text(log->gap_from, log->gap_from + log->gap);
+		    time_range_text(log->gap_from, log->gap_from + log->gap);
 		answer_add_pair(r, "longest gap", "%s", gap);
 	}
 	return session_show_answer(s, r);

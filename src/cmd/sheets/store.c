@@ -40,7 +40,7 @@ fit_record_text(const struct entry *entry)
 	    .train = h->train,
 	    .then = site_copy(h->site),
 	    .now = grown ? site_copy(site) : NULL};
-	char *text = fit_record_to_text(&basis);
+	char *text = fit_record_to_line(&basis);
 	basis.train = NULL;
 	fit_record_clear(&basis);
 	return text;

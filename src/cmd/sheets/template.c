@@ -52,7 +52,7 @@ write_rows_of_sieves(
 	memcpy(mm, sieves->n > 0 ? sieves->at : SIEVES, n * sizeof *mm);
 	n = psd_sort_distinct_sizes(mm, n, 0);
 	for (size_t i = 0; i < n; i++) {
-		text_write_sheet_number(mm[i], f->separator, f->sheet);
+		text_write_csv_number(mm[i], f->separator, f->sheet);
 		for (size_t c = 0; c < columns; c++)
 			fputc(f->separator, f->sheet);
 		fputc('\n', f->sheet);
@@ -88,7 +88,7 @@ write_sieve_template(const struct form *f, const struct args *args)
 	fprintf(f->sheet, "size_mm%cfeed%s", f->separator, unit);
 	for (size_t i = 0; i < speeds->n; i++) {
 		fprintf(f->sheet, "%cproduct%s@", f->separator, unit);
-		text_write_sheet_number(speeds->at[i], f->separator, f->sheet);
+		text_write_csv_number(speeds->at[i], f->separator, f->sheet);
 	}
 	fputc('\n', f->sheet);
 	size_t rows = write_rows_of_sieves(f, &args->sieves, speeds->n + 1);

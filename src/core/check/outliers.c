@@ -471,7 +471,8 @@ leave_out_new_without_cells(const struct site *site, const struct posterior *p,
 	return l;
 }
 
-/* Finds the next cell to report.  p is a copy whose fit changes.  found [n]:
+/* Finds the next cell to report.  p: the caller's own copy,
+ * whose fit is replaced.  found [n]:
  * the cells found before.  Returns false if no other cell is worth
  * reporting. */
 static bool

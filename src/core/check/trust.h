@@ -69,8 +69,8 @@ struct evidence {
 	bool like_feed;
 	/* The residuals at all runs used, without the part that a step of the
 	 * parameters explains.  unexplained: their RMS, passing 0..1; size:
-	 * their mean square over that of usual sampling errors; alike: the correlation of neighbours on a curve, in
-	 * standard deviations. */
+	 * their mean square over that of usual sampling errors; alike: the
+	 * correlation of neighbours on a curve, in standard deviations. */
 	double unexplained, size, alike;
 	/* NAN without a posterior.  discrepancy, sampling: medians of the
 	 * draws, passing 0..1; more: share of the draws in which the

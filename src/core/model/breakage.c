@@ -55,7 +55,7 @@ breakage_extends(size_t wide, size_t narrow)
 }
 
 struct params
-breakage_widen_params(const struct params *p, size_t wide)
+breakage_params_in_wider(const struct params *p, size_t wide)
 {
 	const struct breakage *of = breakage_model_of_params(p);
 	struct params q = params_start_values(wide);
@@ -66,7 +66,7 @@ breakage_widen_params(const struct params *p, size_t wide)
 }
 
 struct params
-breakage_narrow_params(const struct params *p)
+breakage_params_in_narrower(const struct params *p)
 {
 	const struct breakage *of = breakage_model_of_params(p);
 	struct params best = *p;
@@ -78,7 +78,7 @@ breakage_narrow_params(const struct params *p)
 		for (size_t j = 0; j < BREAKAGES[i]->n; j++)
 			q.at[j] = params_value_by_name(
 			    p, BREAKAGES[i]->parameter[j].name);
-		struct params back = breakage_widen_params(&q, p->breakage);
+		struct params back = breakage_params_in_wider(&q, p->breakage);
 		if (of->reference < of->n)
 			back.at[of->reference] = p->at[of->reference];
 		if (memcmp(back.at, p->at, of->n * sizeof *back.at) == 0)

@@ -112,12 +112,12 @@ bool breakage_extends(size_t wide, size_t narrow);
 
 /* Returns the same parameters in a wider model, with its others at their start
  * values. */
-struct params breakage_widen_params(const struct params *p, size_t wide);
+struct params breakage_params_in_wider(const struct params *p, size_t wide);
 
-/* The inverse of breakage_widen_params: returns the parameters in the smallest
- * model that gives the same product because all parameters that it lacks are at
- * their start values. */
-struct params breakage_narrow_params(const struct params *p);
+/* The inverse of breakage_params_in_wider: returns the parameters in the
+ * smallest model that gives the same product because all parameters that it
+ * lacks are at their start values. */
+struct params breakage_params_in_narrower(const struct params *p);
 
 /* Returns the index of the widest model that has all parameters of the given
  * model, the same bypass, and an appearance that depends on the energy (D12,

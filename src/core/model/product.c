@@ -85,8 +85,8 @@ product_add_bypass(
 	}
 }
 
-/* Returns a step that is small compared with the parameter, or with the gauge's
- * largest, or with 0.01. */
+/* Returns a step that is small compared with the parameter or, if that is
+ * larger, with its scale: the largest parameter of the gauge, else 0.01. */
 static double
 finite_difference_step(const struct params *p, size_t i)
 {

@@ -162,7 +162,7 @@ set_parameter_columns(struct ensemble *e)
 static void
 use_narrowest_exact_model(struct ensemble *e, struct params fit)
 {
-	struct params p = breakage_narrow_params(&fit);
+	struct params p = breakage_params_in_narrower(&fit);
 	model_use_params(e->exact, &p);
 }
 

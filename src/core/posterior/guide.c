@@ -55,7 +55,7 @@ guide_add_generation(struct guide *g, const double *const *x, size_t chains,
 }
 
 void
-guide_merge_other(
+guide_merge_moments(
     struct guide *g, const struct guide *other, double generations)
 {
 	g->n += generations;

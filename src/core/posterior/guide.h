@@ -28,7 +28,7 @@ void guide_add_generation(struct guide *g, const double *const *x,
 
 /* Adds the moments of another guide with the same origin, with the weight of
  * `generations` generations. */
-void guide_merge_other(
+void guide_merge_moments(
     struct guide *g, const struct guide *other, double generations);
 
 /* A subset of the coordinates, without those that do not vary, and the factor

@@ -342,7 +342,7 @@ factor_guide_covariances(struct sampler *s)
 	const double generations = 2, least = 0.05;
 	size_t at[COORDINATES], n = list_moving_coordinates(s, at);
 	struct guide all = s->guide[0];
-	guide_merge_other(&all, &s->guide[1], s->guide[1].n);
+	guide_merge_moments(&all, &s->guide[1], s->guide[1].n);
 	if (s->hyper) {
 		guide_factor_subset(&all, at, n, &s->hypers);
 		return;
@@ -350,7 +350,7 @@ factor_guide_covariances(struct sampler *s)
 	for (size_t kind = 0; kind < 2; kind++) {
 		struct guide g = s->guide[kind];
 		double share = g.n / all.n;
-		guide_merge_other(&g, &all, generations);
+		guide_merge_moments(&g, &all, generations);
 		guide_factor_subset(&g, at,
 		    s->two && kind == 0 ? n - STRENGTHS_COORDINATES : n,
 		    &s->kind[kind]);
@@ -823,7 +823,7 @@ widen_to_model_with_gamma(const struct params *p, double energy,
 			  : p->breakage;
 	const struct breakage *of = BREAKAGES[wide];
 	struct bounds b = bounds_default(wide);
-	struct params q = breakage_widen_params(p, wide);
+	struct params q = breakage_params_in_wider(p, wide);
 	for (size_t j = 0; j < of->n; j++) {
 		const struct param_info *info = &of->parameter[j];
 		size_t i = breakage_parameter_index(own, info->name);

@@ -56,7 +56,7 @@ gauss_kernel(double z)
 }
 
 double
-profile_density_of_draws(
+profile_kde_of_draws(
     const double *draw, size_t n, double lower, double upper, double x)
 {
 	double sd = gsl_stats_sd(draw, 1, n), sum = 0;

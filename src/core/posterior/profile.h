@@ -17,7 +17,7 @@ void profile_misfit(struct misfit *m, const struct params *p,
 /* Returns the density of draws [n] at x, using Gaussian kernels with the width
  * of Silverman's rule, reflected at the bounds.
  * Source: Silverman (1986), Density Estimation, section 3.4.2. */
-double profile_density_of_draws(
+double profile_kde_of_draws(
     const double *draw, size_t n, double lower, double upper, double x);
 
 #endif

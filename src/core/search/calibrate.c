@@ -190,7 +190,7 @@ scale_gauge_into_bounds(const struct bounds *b, struct params *p)
 static void
 skip_first_phase(struct calibration *c, const struct params *start)
 {
-	c->best = breakage_widen_params(start, c->options.settings.breakage);
+	c->best = breakage_params_in_wider(start, c->options.settings.breakage);
 	c->nested = false;
 	c->box = c->options.bounds;
 	scale_gauge_into_bounds(&c->box, &c->best);

@@ -71,8 +71,8 @@ double misfit_of_params(struct misfit *m, const struct params *p);
 double misfit_weighted_differences(
     struct misfit *m, const struct params *p, double *r);
 
-/* As misfit_weighted_differences.  Also computes the derivatives of r: J
- * [n_residual * model's n], by rows. */
+/* Does what misfit_weighted_differences does, and computes the derivatives of r
+ * by rows: J [n_residual * the model's number of parameters]. */
 double misfit_jacobian(
     struct misfit *m, const struct params *p, double *r, double *J);
 

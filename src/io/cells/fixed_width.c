@@ -41,7 +41,7 @@ struct grid_columns {
 /* Splits a line where there are two or more spaces.  Returns the number of
  * cells, or 0 if there are too many. */
 static size_t
-split_at_blanks(const struct line *line, struct span *cell)
+split_at_wide_gaps(const struct line *line, struct span *cell)
 {
 	size_t n = 0, at = 0, characters = 0, blanks = 2;
 	for (; at < line->n; at++) {
@@ -85,7 +85,7 @@ static bool
 is_line_of_numbers(const struct line *line)
 {
 	struct span cell[MOST_CELLS];
-	size_t n = split_at_blanks(line, cell);
+	size_t n = split_at_wide_gaps(line, cell);
 	for (size_t i = 1; i < n; i++)
 		if (!is_cell_like_number(line, &cell[i]))
 			return false;
@@ -133,7 +133,7 @@ find_columns(const struct line *line, size_t n)
 	struct grid_columns g = {0};
 	struct span cell[MOST_CELLS];
 	for (size_t i = 0; i < n; i++) {
-		size_t cells = split_at_blanks(&line[i], cell);
+		size_t cells = split_at_wide_gaps(&line[i], cell);
 		for (size_t k = 0; k < cells; k++)
 			for (size_t c = cell[k].left;
 			     c < cell[k].right && c < MOST_WIDE; c++)
@@ -182,7 +182,7 @@ static void
 widen_columns_to_heads(struct grid_columns *g, const struct line *head)
 {
 	struct span cell[MOST_CELLS];
-	if (head->rule || split_at_blanks(head, cell) != g->n)
+	if (head->rule || split_at_wide_gaps(head, cell) != g->n)
 		return;
 	for (size_t i = 0; i < g->n; i++) {
 		struct span *own = &g->column[i];
@@ -222,7 +222,7 @@ static size_t
 put_tab_characters_in_line(struct line *line, const struct grid_columns *g,
     struct span cell[static MOST_CELLS])
 {
-	size_t n = split_at_blanks(line, cell), at[MOST_CELLS] = {0};
+	size_t n = split_at_wide_gaps(line, cell), at[MOST_CELLS] = {0};
 	if (g != NULL && (n == 0 || n > g->n || cell[n - 1].right >= MOST_WIDE))
 		return 0;
 	for (size_t i = 0; i < n; i++) {

@@ -7,8 +7,8 @@
 
 /* The non-empty sheets of a workbook.  note: remarks for the user ("sheet Log
  * is not read: ..."), or "".  n_note: how many remarks there were, including
- * those left out of note.  A sheet larger than `most` is skipped, not a fault,
- * because a workbook may contain a plant's log beside the sieves. */
+ * those left out of note.  A sheet larger than `most` is skipped without a
+ * fault, because a workbook may hold a plant's log as well as the analyses. */
 struct sheets {
 	const char *path; /* borrowed, as errors is */
 	struct sheet_limits most;

@@ -275,7 +275,7 @@ xlsx_put_unescaped_text(struct reading *r, const char *text)
 }
 
 static void
-xlsx_put_number(struct reading *r)
+xlsx_read_number(struct reading *r)
 {
 	const struct book *b = r->book;
 	double value;
@@ -334,7 +334,7 @@ xlsx_put_cell(struct reading *r)
 	else if (strcmp(r->type, "d") == 0)
 		xlsx_put_iso_date(r);
 	else if (strcmp(r->type, "n") == 0)
-		xlsx_put_number(r);
+		xlsx_read_number(r);
 	else
 		xlsx_put_unescaped_text(r, r->value.text);
 }

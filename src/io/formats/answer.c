@@ -613,7 +613,7 @@ print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
 		text_write_sheet_cell(
 		    cell->key != NULL ? cell->key : cell->text, separator, out);
 	else if (isfinite(cell->number))
-		text_write_sheet_number(cell->number, separator, out);
+		text_write_csv_number(cell->number, separator, out);
 }
 
 /* Prints the fields that are repeated in each row, or their names. */
@@ -637,7 +637,7 @@ print_csv_repeated_fields(
 			text_write_sheet_cell(
 			    json_string_value(item), separator, out);
 		else if (json_is_number(item))
-			text_write_sheet_number(
+			text_write_csv_number(
 			    json_number_value(item), separator, out);
 	}
 }

@@ -32,7 +32,7 @@ void book_add_about_line(struct book *book, const char *key, const char *value);
 size_t book_count_sheets(const struct book *book);
 bool book_has_site(const struct book *book);
 
-/* Returns the workbook's *n bytes, which the caller frees, and frees the book.
+/* Frees the book and returns the workbook's *n bytes, which the caller frees.
  * Returns NULL, with an error of kind ERROR_SYSTEM, if the system fails. */
 char *book_finish_to_bytes(struct book *book, size_t *n, struct error *error);
 

@@ -852,7 +852,7 @@ rank_column_by_quantity(const struct column *c)
 /* Returns the words in a column's headings that are unknown or have digits.
  * The caller frees the text. */
 static char *
-sample_name_in_headings(const struct column *c)
+sample_name_from_headings(const struct column *c)
 {
 	FREED char *head = layout_heading_text(c->table, c->at);
 	char *rest = head, *name = xstrdup("");
@@ -870,8 +870,8 @@ sample_name_in_headings(const struct column *c)
 static bool
 has_same_sample_name(const struct column *a, const struct column *b)
 {
-	FREED char *one = sample_name_in_headings(a),
-		   *other = sample_name_in_headings(b);
+	FREED char *one = sample_name_from_headings(a),
+		   *other = sample_name_from_headings(b);
 	return text_same_folded(one, other);
 }
 

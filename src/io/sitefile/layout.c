@@ -567,9 +567,9 @@ are_ends_of_classes(
 	return n > 2 && joined + 1 == n;
 }
 
-/* Keeps only the lower of two headings above the same sieves and, of two
- * adjacent columns of sieves (No. and mm), only the one with more real sizes.
- * The other becomes a column of that table. */
+/* Of two headings above the same sieves, keeps only the lower one.  Of two
+ * adjacent columns of sieves (No. and mm), keeps only the one with more real
+ * sizes; the other becomes an ordinary column of the table. */
 static void
 drop_duplicate_headings(struct sheet_grid *g)
 {

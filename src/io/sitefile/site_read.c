@@ -1142,7 +1142,7 @@ find_day_of_sample(const struct reading *r, const struct column *c)
 /* True if a column is a product, and not one that is read in another
  * quantity. */
 static bool
-is_product(const struct column *c)
+is_main_product(const struct column *c)
 {
 	return c->role == PRODUCT && c->twin == 0;
 }
@@ -1155,7 +1155,7 @@ note_days_of_cuts(struct reading *r)
 	const struct columns *all = &r->all;
 	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
 	for (size_t i = 0; i < all->n; i++)
-		if (is_product(&all->column[i]))
+		if (is_main_product(&all->column[i]))
 			day[i] = find_day_of_sample(r, &all->column[i]);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
@@ -1163,7 +1163,7 @@ note_days_of_cuts(struct reading *r)
 		for (size_t k = 0; k < all->n; k++)
 			any = any || (day[k] != NULL &&
 					 all->column[k].speed == c->speed);
-		if (!is_product(c) || !any)
+		if (!is_main_product(c) || !any)
 			continue;
 		FREED char *note = xasprintf("%g m/s%s%s", c->speed,
 		    day[i] != NULL ? ", " : "", day[i] != NULL ? day[i] : "");
@@ -1182,7 +1182,7 @@ note_days_not_read(struct reading *r)
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
 		const char *day = site_day_unreadable(c->table, c->at);
-		if (is_product(c) && day != NULL)
+		if (is_main_product(c) && day != NULL)
 			leave_out(r->site, c->head.line,
 			    "the day '%.*s' of the cut at %g m/s: write year, "
 			    "month, day",

@@ -131,7 +131,7 @@ unescape_line_ends(const char *line)
 }
 
 char *
-fit_record_to_text(const struct fit_record *b)
+fit_record_to_line(const struct fit_record *b)
 {
 	FREED char *text = NULL;
 	size_t n = 0;

@@ -21,10 +21,10 @@ struct fit_record {
 /* Returns the basis as one line of text without control characters: the numbers
  * of the fit that are not fields of a material, and the sheets as site_write
  * prints them.  The caller frees it. */
-char *fit_record_to_text(const struct fit_record *basis);
+char *fit_record_to_line(const struct fit_record *basis);
 
 /* Reads the basis of a material, and the other numbers of its fit from the
- * material's fields.  A basis from fit_record_to_text reads back bit for bit.
+ * material's fields.  A basis from fit_record_to_line reads back bit for bit.
  * Returns false without an error if the material has no basis, and with
  * ERROR_DATA if its text cannot come from a calibration (a store may come from
  * another user).  Always clear the basis. */

@@ -185,7 +185,7 @@ site_number_in_column(
 }
 
 static char *
-column_number_text(
+number_cell_text(
     const struct tui *t, const struct site_row *row, enum column column)
 {
 	double x = site_number_in_column(t->session, row, column);
@@ -223,7 +223,7 @@ site_cell_text(const struct tui *t, size_t i, int column)
 	case MACHINE:
 		return xstrdup(e->site->machine);
 	default:
-		return column_number_text(t, row, (enum column)column);
+		return number_cell_text(t, row, (enum column)column);
 	}
 }
 

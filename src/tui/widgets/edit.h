@@ -12,8 +12,8 @@
 /* text [n]: UTF-8.  at: offset of the cursor.  back: lines back in the history.
  * offers: completions of the word at `start`, separated by two spaces, or NULL.
  * Of these, `shown` are shown, beginning with number `from`; another Tab shows
- * the next.  fresh: where a proposed name starts, which the first letter typed
- * replaces; or 0. */
+ * the next.  fresh: where a proposed name starts, or 0; the first letter typed
+ * replaces that name. */
 struct edit {
 	bool active;
 	char text[2000];

@@ -87,7 +87,7 @@ run_open_command(struct tui *t, const char *line, bool estimates)
 	if (estimates || products == 0)
 		propose_guess_command(t);
 	else if (!entry->has_params)
-		tui_say(t, false, "loaded %s: f calibrates", label);
+		tui_say(t, false, "loaded %s: press f to calibrate", label);
 	return true;
 }
 

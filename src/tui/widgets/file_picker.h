@@ -8,8 +8,8 @@
 /* Opens a list of files; with --safe, only shows a message. */
 void file_picker_open(struct tui *t, enum picker_list list);
 
-/* Handles a key.  Returns false if it closed the list and the key is for what
- * the list covered. */
+/* Handles a key.  Returns false if the key closed the list and is still to be
+ * handled by the page below it. */
 bool file_picker_handle_key(struct tui *t, int code, bool special);
 
 /* Draws the list with its hints. */

@@ -32,9 +32,9 @@ int slider_position(struct slider_range range, double speed);
 double slider_speed(struct slider_range range, double position);
 bool slider_has_speed(struct slider_range range, double speed);
 
-/* slider_column_of_position returns the column of a position on a track of `width`
- * columns, 0 at its left end; slider_position_at_column returns the position at
- * a column.  Positions and columns off the track are clamped. */
+/* slider_column_of_position returns the column of a position on a track of
+ * `width` columns, 0 at its left end; slider_position_at_column returns the
+ * position at a column.  Positions and columns off the track are clamped. */
 int slider_column_of_position(
     struct slider_range range, int position, int width);
 int slider_position_at_column(struct slider_range range, int column, int width);
