@@ -182,7 +182,8 @@ parse_circuit_unit_key(
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
 		struct cell number = cell_with_part_of_text(r, cell, sign + 1);
-		double *to = (double *)((char *)unit + key->offset);
+		void *place = (char *)unit + key->offset;
+		double *to = place;
 		if (to == &unit->speed && text_ends_with(number.text, "rpm")) {
 			parse_speed_in_rpm(r, number, to);
 			return;
