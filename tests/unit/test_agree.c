@@ -506,6 +506,31 @@ errors_of_speeds_give_the_same(void **state)
 	ask_all(desk, &outside, &draw);
 }
 
+/* The method classes, with individual feeds, and a feed finer than any sampled:
+ * there sums of classes are limited by what passes the next finer sieve. */
+static void
+classes_and_other_feeds_give_the_same(void **state)
+{
+	struct desk *desk = *state;
+	struct tested q[] = {{.v = 72, .with = ""},
+	    {.v = 88.4, .with = " feed=data/sites/kiruna.csv@69 cascade=5"}};
+	static const char *const LOAD[] = {
+	    "load data/sites/kallered.csv; set method classes",
+	    "load data/sites/sunderbyn.csv"};
+	for (size_t k = 0; k < ARRAY_LEN(q); k++) {
+		ask(desk, "set method continuous; %s; calibrate population=200",
+		    LOAD[k]);
+		desk_expect(desk, "set format csv");
+		ask_predict(desk, &q[k]);
+		for (size_t i = 2; i < 6; i++)
+			ask_fraction_between_sieves(desk, &q[k], i);
+		psd_free(&q[k].product);
+		free(q[k].low);
+		free(q[k].high);
+		free(q[k].model);
+	}
+}
+
 /* Whether the range of a kind that find stated has a speed. */
 static bool
 range_has(const struct session *s, const char *kind, double v)
@@ -571,6 +596,8 @@ main(void)
 		feed_of_a_sheet_gives_the_same, desk_open, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		errors_of_speeds_give_the_same, desk_open, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		classes_and_other_feeds_give_the_same, desk_open, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		find_holds_what_was_measured, desk_open, desk_close),
 	};

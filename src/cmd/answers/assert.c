@@ -159,6 +159,9 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 	if (strcmp(word[1], "is") == 0)
 		return check_file_digest(s, word[0], word[2], error);
 	const char *text = find_asserted_text(s, word[0]);
+	if (text != NULL && has_within)
+		return error_set(error, ERROR_USAGE,
+		    "assert: expected nothing after a text, got 'within'");
 	if (text != NULL)
 		return check_text(word[0], word[1], word[2], text, error);
 	if (!evaluate_assert_side(s, word[0], &a, error) ||

@@ -113,9 +113,19 @@ parse_plant_if_asked(struct session *s, struct card_request *all,
 {
 	const void *const with_feed[] = {&args->fractions, &args->recycle,
 	    &args->power, &args->prices, &args->kwh};
-	if (args->tph > 0 || args->circuit != NULL)
-		return plant_from_args(
-		    s, args, all->question, &all->plant, error);
+	if (args->tph > 0 || args->circuit != NULL) {
+		bool ok =
+		    plant_from_args(s, args, all->question, &all->plant, error);
+		FREED char *fixed =
+		    ok ? plant_fixed_speeds_text(&all->plant, NULL) : NULL;
+		return fixed == NULL ? ok
+				     : error_set(error, ERROR_USAGE,
+					   "expected a circuit with a crusher "
+					   "without speed=, got one in which "
+					   "all have their own, %s m/s\n"
+					   "write: flow circuit=%s",
+					   fixed, args->circuit);
+	}
 	for (size_t i = 0; i < ARRAY_LEN(with_feed); i++)
 		if (args_is_given(args, with_feed[i]))
 			return error_set(error, ERROR_USAGE,
@@ -434,11 +444,11 @@ put_card_speed(struct card_table *page, const struct site *site, double v)
 	bool in_rpm = answers_is_sheet_in_rpm(site);
 	double rpm = rotor_speed_to_rpm(v, site->rotor);
 	if (in_rpm)
-		put_card_number(page, NULL, "rpm", 0, NEEDED, rpm);
+		put_card_number(page, NULL, tr("rpm"), 0, NEEDED, rpm);
 	put_card_number(page, NULL, "m/s", AS_NEEDED,
 	    in_rpm ? OTHER_UNIT : NEEDED, round(100 * v) / 100);
 	if (site->rotor > 0 && !in_rpm)
-		put_card_number(page, NULL, "rpm", 0, NEEDED, rpm);
+		put_card_number(page, NULL, tr("rpm"), 0, NEEDED, rpm);
 	put_card_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
 	if (site->rotor > 0)
 		put_card_number(page, "rpm", NULL, 0, NEEDED, rpm);

@@ -247,11 +247,12 @@ put_goal_fields(struct fields *o, const struct find_request *goal)
 	    wanted,
 	    value ? target_in_shown_unit(goal, goal->target.least)
 		  : target_value_at_speed(goal, speed),
-	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
+	    q->kind == QUANTITY_PASSING ? units_mm(q->x) : NAN,
+	    goal->wanted.from, goal->wanted.to,
 	    target_value_at_speed(goal, goal->wanted.from),
 	    target_value_at_speed(goal, goal->wanted.to), speed);
 	fields_put_values(
-	    o, ".found %s .found_speed %g", isnan(speed) ? "no" : "yes", speed);
+	    o, "found %s .found_speed %g", isnan(speed) ? "no" : "yes", speed);
 	fields_put_values(o,
 	    "speed_low %g speed_high %g cut_low %g cut_high %g",
 	    finite_speed_or_nan(f->range[0]), finite_speed_or_nan(f->range[1]),

@@ -397,7 +397,7 @@ note_held_out_run(
 		xappend_to_list(&words, "; ",
 		    tr("%zu of %zu sieves lie in the %.0f %% band for a "
 		       "sample"),
-		    item->within, v->n_sieve, 100 * c->level);
+		    item->within, v->n_sieve - v->n_idle, 100 * c->level);
 	answer_note(r, "%s", words);
 	warn_if_null_model_is_better(r, item, run);
 	if (c->n == 1)

@@ -121,7 +121,7 @@ add_trial_of_run(struct trials *c, const struct entry *entry,
 	trial.v =
 	    validate_run_from_predictions(site, r, by->train, trial.passing);
 	trial.has_band = c->one && by->posterior != NULL && !trial.open;
-	trial.within = trial.has_band ? within : 0;
+	trial.within = trial.has_band ? within - trial.v.n_idle : 0;
 	trials_add_trial(c, trial);
 }
 

@@ -639,17 +639,25 @@ flow_chart_by_speed(const struct plant *p, double from, double to)
 	return chart;
 }
 
-/* Refuses speed= and best=on where the crushers have the speeds `fixed`. */
+/* Refuses options on speeds and best=on where the crushers have the speeds
+ * `fixed`. */
 static bool
 refuse_speed_if_fixed(
     const struct args *args, const char *fixed, struct error *error)
 {
-	if (!args_is_given(args, &args->speed) && !args->best)
+	const void *const of_speed[] = {
+	    &args->speed, &args->rpm, &args->from, &args->to};
+	FREED char *given = args->best ? xstrdup("best=on") : NULL;
+	for (size_t i = 0; i < ARRAY_LEN(of_speed) && given == NULL; i++)
+		if (args_is_given(args, of_speed[i]))
+			given = xasprintf(
+			    "%s=", args_option_name(args, of_speed[i]));
+	if (given == NULL)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "%s changes nothing: each crusher of %s has a speed of its own, "
 	    "%s m/s\nleave out speed= of a crusher in that file",
-	    args->best ? "best=on" : "speed=", args->circuit, fixed);
+	    given, args->circuit, fixed);
 }
 
 bool

@@ -164,20 +164,34 @@ count_words_in_rpm(const struct words *words)
 	return n;
 }
 
+/* True if the command reads cuts, with a speed after the file's name. */
+static bool
+takes_speeds_after_files(const struct command *command)
+{
+	return strcmp(command->name, "add") == 0 ||
+	       strcmp(command->name, "load") == 0;
+}
+
 /* Returns the length of a speed in rpm at a place of a word whose other parts
- * are not speeds, "cut.csv@1528rpm" or "power=1485rpm:210:120"; 0 if there is
- * none. */
+ * are not speeds: "power=1485rpm:210:120" or, at the end of a file of add or
+ * load, "cut.csv@1528rpm".  Returns 0 if there is none. */
 static size_t
-length_of_rpm_within_word(const char *word, const char *at)
+length_of_rpm_within_word(
+    const struct command *command, const char *word, const char *at)
 {
 	static const char POWER[] = "power=";
-	bool power = strncmp(word, POWER, strlen(POWER)) == 0;
-	bool begins =
-	    at > word &&
-	    (at[-1] == '@' || (power && strchr("=,;", at[-1]) != NULL));
-	size_t n = begins ? strspn(at, "0123456789.") : 0;
-	bool ends = n > 0 && strncmp(at + n, RPM, strlen(RPM)) == 0 &&
-		    !isalnum((unsigned char)at[n + strlen(RPM)]);
+	const char *sign = strrchr(word, '@');
+	bool power = strncmp(word, POWER, strlen(POWER)) == 0 && at > word &&
+		     strchr("=,;", at[-1]) != NULL;
+	bool file = takes_speeds_after_files(command) && sign != NULL &&
+		    sign > word && at == sign + 1 && strchr(word, '=') == NULL;
+	double rpm;
+	size_t n = power || file ? strspn(at, "0123456789.") : 0;
+	FREED char *number = xstrndup(at, n);
+	const char *end = at + n + strlen(RPM);
+	bool ends = n > 0 && text_parse_typed_number(number, &rpm) &&
+		    strncmp(at + n, RPM, strlen(RPM)) == 0 &&
+		    (file ? *end == '\0' : !isalnum((unsigned char)*end));
 	return ends ? n + strlen(RPM) : 0;
 }
 
@@ -191,7 +205,8 @@ convert_speeds_within_words(struct session *s, struct words *words)
 		FREED char *now = xstrdup("");
 		for (const char *word = words->text[i], *at = word;
 		     *at != '\0';) {
-			size_t n = length_of_rpm_within_word(word, at);
+			size_t n =
+			    length_of_rpm_within_word(words->command, word, at);
 			FREED char *part = xstrndup(at, n > 0 ? n : 1);
 			FREED char *speed =
 			    n > 0 ? convert_rpm_text_to_mps(s, part, diameter)
@@ -294,11 +309,11 @@ speed_as_list_item(const char *word, bool list)
 	return part;
 }
 
-/* True if a word such as "69,74" is two speeds, which is noted: both are within
- * the usual range, and nothing was measured at 69.74 m/s.  Other words with a
- * comma, such as "69,5", are one number. */
+/* True if a word such as "69,74" is two speeds: both are within the usual
+ * range, and nothing was measured at 69.74 m/s.  Other words with a comma, such
+ * as "69,5", are one number.  Notes how it was read if it could be either. */
 static bool
-is_two_speeds(struct session *s, const char *word)
+is_two_speeds(struct session *s, const char *word, const char *command)
 {
 	unsigned one, two;
 	double from, to, speed;
@@ -312,11 +327,15 @@ is_two_speeds(struct session *s, const char *word)
 	bool measured = site != NULL &&
 			text_parse_typed_number(number, &speed) &&
 			site_run_at_speed(site, speed) < site->n_run;
-	if (measured || one < from || one > to || two < from || two > to)
-		return false;
-	session_note(s, "read %s as two speeds; for %s m/s type %s", word,
-	    number, number);
-	return true;
+	bool usual = one >= from && one <= to && two >= from && two <= to;
+	if (!measured && usual)
+		session_note(s, "read %s as two speeds; for %s m/s type %s",
+		    word, number, number);
+	else if (!measured && one >= 10 && two >= 10)
+		session_note(s,
+		    "read %s as %s m/s; for two speeds type: %s %u %u", word,
+		    number, command, one, two);
+	return !measured && usual;
 }
 
 /* Turns "68 to 78" after the command's name into "68..78". */
@@ -351,7 +370,8 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	FREED char *joined = xstrdup(OPTION);
 	for (; n < words->n && is_speed_range_or_list(words->text[n], &list);
 	     n++) {
-		list = list || (!bare && is_two_speeds(s, words->text[n]));
+		list = list || (!bare && is_two_speeds(
+					     s, words->text[n], command->name));
 		FREED char *part = speed_as_list_item(words->text[n], list);
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;

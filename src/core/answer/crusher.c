@@ -154,17 +154,41 @@ cumulate_from_finest_class(const double *mass, size_t n, double *below)
 	return sum;
 }
 
+/* Sums the products of the classes of a feed: out [n] is what passes each size,
+ * uncorrected, and t->feed what of the feed does.  Returns the feed's mass. */
+static double
+sum_products_of_classes(
+    const struct transfer *t, size_t draw, const double *in, double *out)
+{
+	size_t n = t->n;
+	const double *row = t->passing + draw * (n - 1) * n;
+	for (size_t i = 0; i < n; i++)
+		out[i] = in[n - 1];
+	for (size_t j = 0; j + 1 < n; j++, row += n)
+		for (size_t i = 0; i < n && in[j] > 0; i++)
+			out[i] += in[j] * row[i];
+	return cumulate_from_finest_class(in, n, t->feed);
+}
+
 /* Computes the difference between the prediction and the sum of the classes at
- * the sieves. */
+ * the sieves, from the finest on: the sum is limited by the prediction at the
+ * next finer sieve, as correct_passings_of_product will limit it. */
 static void
 transfer_correct_draw(const struct crusher *c, struct transfer *t, size_t d,
     const double *P, size_t apart, double *out)
 {
 	double *more = t->more + d * c->n;
-	transfer_compute_product(t, d, c->feed, out);
-	cumulate_from_finest_class(out, c->n, out);
-	for (size_t i = 0; i < c->n_sieve; i++)
-		more[c->at[i]] = P[i * apart] - out[c->at[i]];
+	const double *delta = t->delta != NULL ? t->delta + d * c->n : NULL;
+	double finer = 0, total = sum_products_of_classes(t, d, c->feed, out);
+	for (size_t i = c->n_sieve; i-- > 0;) {
+		size_t k = c->at[i];
+		double raw = out[k], least = fmax(t->feed[k], finer);
+		if (delta != NULL)
+			raw = total * discrepancy_correct_passing(
+					  raw / total, delta[k], least / total);
+		more[k] = P[i * apart] - raw;
+		finer = P[i * apart];
+	}
 }
 
 static void
@@ -281,13 +305,7 @@ transfer_compute_product(
     const struct transfer *t, size_t draw, const double *in, double *out)
 {
 	size_t n = t->n;
-	const double *row = t->passing + draw * (n - 1) * n;
-	double *below = out, total = cumulate_from_finest_class(in, n, t->feed);
-	for (size_t i = 0; i < n; i++)
-		below[i] = in[n - 1];
-	for (size_t j = 0; j + 1 < n; j++, row += n)
-		for (size_t i = 0; i < n && in[j] > 0; i++)
-			below[i] += in[j] * row[i];
+	double *below = out, total = sum_products_of_classes(t, draw, in, out);
 	correct_passings_of_product(t, draw, total, below);
 	/* All mass passes the coarsest size: the coarsest class gets what
 	 * rounding lost. */

@@ -158,7 +158,8 @@ parse_speed_in_rpm(
 		    tr("a tip speed from 1 to 400 m/s"),
 		    "rpm need the rotor's diameter: a line rotor_mm in the "
 		    "site file");
-	else if (!text_parse_number(text_trim(number), &rpm) || !(rpm > 0) ||
+	else if (!text_parse_number(text_trim(number), &rpm) ||
+		 rotor_speed_from_rpm(rpm, rotor) < 1 ||
 		 rotor_speed_from_rpm(rpm, rotor) > SITE_FASTEST)
 		sheet_fault_expected(r->sheet, cell,
 		    tr("a tip speed from 1 to 400 m/s"),

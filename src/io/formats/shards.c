@@ -36,8 +36,10 @@ read_row_of_part(json_t *o, const json_t *index, const struct kind *kind,
     struct part_row *row)
 {
 	const json_t *list = json_object_get(o, "numbers");
+	/* Parts of calibrate had no source at first. */
+	row->source = "provenance not stated";
 	if (!json_is_integer(index) ||
-	    json_unpack(o, "{s:s, s:s}", "site", &row->site, kind->source,
+	    json_unpack(o, "{s:s, s?s}", "site", &row->site, kind->source,
 		&row->source) != 0)
 		return false;
 	row->remark = NULL;
