@@ -141,7 +141,7 @@ a_sheet_is_opened_by_a_command_that_can_be_undone(void **state)
 	press(t, "Enter");
 	assert_false(t->picker.on);
 	assert_string_equal(t->command, "load \"data/sites/borlange.csv\"");
-	assert_non_null(strstr(t->message, "f calibrates"));
+	assert_non_null(strstr(t->message, "press f to calibrate"));
 	assert_int_equal(stage->desk->session->n_entry, 1);
 	press(t, "u");
 	assert_int_equal(stage->desk->session->n_entry, 0);
