@@ -302,10 +302,10 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 		    f.speed[0], rpm, 1000 * f.at[0].high, units_mm(f.finest),
 		    100 * f.at[0].below);
 	if (entry->params.breakage == 0 && s->set.model.impacts.n == 0)
-		answer_note(r, "at 52 to 77 of 100 synthetic plants that "
-			       "follow Eqs 1 to 3, the "
-			       "middle 80 %% of the draws of the break size "
-			       "held the true one");
+		answer_note(r,
+		    "at 52 to 77 of 100 synthetic plants that follow Eqs 1 to "
+		    "3, the middle 80 %% of the draws of the break size held "
+		    "the true one");
 	answer_note(r, "%s", text);
 	free(f.speed);
 	free(f.at);

@@ -508,12 +508,9 @@ static void
 put_settings_of_draws(
     struct fields *o, const struct session *s, const struct entry *entry)
 {
-	static const char *const CORRECTION[] = {[CORRECTION_ALL] = "all",
-	    [CORRECTION_TRAIN] = "train",
-	    [CORRECTION_OFF] = "off"};
 	fields_put_values(o,
 	    "correction %s speed_sd_pct %g draw_seed %zu version %s",
-	    CORRECTION[correction_in_use(s, entry)], s->set.speed_sd,
+	    correction_name(s, entry), s->set.speed_sd,
 	    (size_t)s->set.draw_seed, PACKAGE_VERSION);
 }
 

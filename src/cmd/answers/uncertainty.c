@@ -349,8 +349,7 @@ put_half_band_widths(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *at)
 {
 	fields_put_values(answer_fields(r), "speed %g level %g correction %s",
-	    at->speed, 100 * q->level,
-	    correction_in_use(s, q->entry) == CORRECTION_ALL ? "all" : "train");
+	    at->speed, 100 * q->level, correction_name(s, q->entry));
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		answer_put_columns_as_lists(r, PARTS[i]);
 	answer_put_columns_as_lists(r, "sieve_mm passing_pct");

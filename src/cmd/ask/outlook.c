@@ -370,6 +370,15 @@ do_too_many_runs_inform(const struct session *s, const struct entry *entry)
 	return n > POSTERIOR_RUNS;
 }
 
+const char *
+correction_name(const struct session *s, const struct entry *entry)
+{
+	static const char *const NAME[] = {[CORRECTION_ALL] = "all",
+	    [CORRECTION_TRAIN] = "train",
+	    [CORRECTION_OFF] = "off"};
+	return NAME[correction_in_use(s, entry)];
+}
+
 _Static_assert(POSTERIOR_RUNS == 40, "the text of correction_in_words");
 
 const char *
@@ -433,7 +442,6 @@ band_note_meaning(struct answer *r, const struct session *s,
 	if (s->set.speed_sd > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "low and high allow for tip speeds that are off by %g %% "
-		    "('set "
-		    "speed_sd')",
+		    "('set speed_sd')",
 		    s->set.speed_sd);
 }

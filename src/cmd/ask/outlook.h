@@ -95,6 +95,9 @@ const char *band_why_missing(
 bool band_error_missing(
     const struct session *s, const struct entry *entry, struct error *error);
 
+/* Returns "all", "train" or "off", the correction in use as programs get it. */
+const char *correction_name(const struct session *s, const struct entry *entry);
+
 /* Returns which runs correct the model, in words for a heading or a title:
  * "model corrected by all measured runs", "model corrected by the training
  * runs" or "the model alone". */

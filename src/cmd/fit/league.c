@@ -585,13 +585,8 @@ note_model_in_use(struct answer *r, const struct session *s,
 {
 	size_t used = row_in_use(s, g);
 	const char *name = model_name_of_row(used);
-	bool out = false;
-	for (size_t m = 0; m < v->n_model && v->ranked && !v->none; m++) {
-		size_t row = v->model[m].energies ? breakage_count_models()
-						  : v->model[m].model;
-		out = out ||
-		      (row == used && v->model[m].standing >= LEAGUE_OUT_AICC);
-	}
+	bool out = v->ranked && !v->none && used < v->n_model &&
+		   v->model[used].standing >= LEAGUE_OUT_AICC;
 	fields_put_values(answer_fields(r), "in_use %s", name);
 	if (out && v->winner == VALIDATE_MODEL && !v->model[v->best].energies)
 		answer_say(r, ANSWER_REMARK,

@@ -491,6 +491,16 @@ answer_has_fields(const struct answer *a)
 	return json_object_size(a->fields) > 0;
 }
 
+/* Returns the member whose key is the first n characters, also one that json
+ * does not print, ".key"; NULL if there is none. */
+static const json_t *
+member_of_object(const json_t *in, const char *name, size_t n)
+{
+	FREED char *key = xstrndup(name, n), *hidden = xasprintf(".%s", key);
+	const json_t *item = json_object_get(in, key);
+	return item != NULL ? item : json_object_get(in, hidden);
+}
+
 /* Finds the largest number at a path.  The items of a list are found under the
  * name of the list. */
 static void
@@ -500,11 +510,8 @@ find_number_at_path(const json_t *in, const char *path, double *value)
 	for (size_t i = 0; i < json_array_size(in); i++)
 		find_number_at_path(json_array_get(in, i), path, value);
 	if (json_is_object(in)) {
-		FREED char *key = xstrndup(path, n),
-			   *hidden = xasprintf(".%s", key);
-		const json_t *item = json_object_get(in, key);
-		item = item != NULL ? item : json_object_get(in, hidden);
-		find_number_at_path(item, path + n + (path[n] == '.'), value);
+		find_number_at_path(member_of_object(in, path, n),
+		    path + n + (path[n] == '.'), value);
 	} else if (*path == '\0' && json_is_boolean(in)) {
 		*value = fmax(*value, json_is_true(in));
 	} else if (*path == '\0' && json_is_number(in)) {
@@ -530,8 +537,7 @@ answer_find_text(const struct answer *a, const char *path)
 	const json_t *in = a->fields;
 	for (; *path != '\0'; path += *path == '.') {
 		size_t n = strcspn(path, ".");
-		FREED char *key = xstrndup(path, n);
-		in = json_object_get(in, key);
+		in = member_of_object(in, path, n);
 		path += n;
 	}
 	return json_string_value(in);
@@ -591,7 +597,7 @@ print_csv_command_and_site(
     const struct answer *a, bool names, char separator, FILE *out)
 {
 	const struct table *t = table_for_programs(a);
-	fputs(names ? tr("command") : a->command, out);
+	fputs(names ? "command" : a->command, out);
 	if (a->site == NULL)
 		return;
 	FREED char *kind =
@@ -625,9 +631,8 @@ print_csv_repeated_fields(
 	char *save = NULL;
 	for (char *key = strtok_r(keys, " ", &save); key != NULL;
 	     key = strtok_r(NULL, " ", &save)) {
-		FREED char *hidden = xasprintf(".%s", key);
-		const json_t *item = json_object_get(a->fields, key);
-		item = item != NULL ? item : json_object_get(a->fields, hidden);
+		const json_t *item =
+		    member_of_object(a->fields, key, strlen(key));
 		if (item == NULL)
 			continue;
 		fputc(separator, out);
