@@ -675,6 +675,18 @@ target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
 	return sign * f[0][d] > 0 ? 0 : INFINITY;
 }
 
+/* Sets the interval that holds the middle w->level of the draws' speeds.  An end
+ * between a draw's speed and the 0 of one below the search is below it too. */
+static void
+target_speed_interval(
+    const struct conditions_search *w, double speed[DRAWS], double interval[2])
+{
+	ensemble_middle_interval(speed, w->level, &interval[0], &interval[1]);
+	for (int end = 0; end < 2; end++)
+		if (interval[end] < w->from)
+			interval[end] = 0;
+}
+
 static void
 find_target_speed_bands(
     struct speed_search *s, const struct conditions_search *w)
@@ -691,8 +703,8 @@ find_target_speed_bands(
 		speed[d] = target_speed_of_draw(s, s->draw, d, sign, about);
 		sample[d] = target_speed_of_draw(s, s->sample, d, sign, about);
 	}
-	ensemble_middle_interval(speed, w->level, &s->range[0], &s->range[1]);
-	ensemble_middle_interval(sample, w->level, &s->cut[0], &s->cut[1]);
+	target_speed_interval(w, speed, s->range);
+	target_speed_interval(w, sample, s->cut);
 }
 
 static void

@@ -311,9 +311,11 @@ speed_as_list_item(const char *word, bool list)
 
 /* True if a word such as "69,74" is two speeds: both are within the usual
  * range, and nothing was measured at 69.74 m/s.  Other words with a comma, such
- * as "69,5", are one number.  Notes how it was read if it could be either. */
+ * as "69,5", are one number, and so is each word of a command that takes one
+ * speed.  Notes how it was read if it could be either. */
 static bool
-is_two_speeds(struct session *s, const char *word, const char *command)
+is_two_speeds(
+    struct session *s, const char *word, const char *command, bool takes_list)
 {
 	unsigned one, two;
 	double from, to, speed;
@@ -328,14 +330,19 @@ is_two_speeds(struct session *s, const char *word, const char *command)
 			text_parse_typed_number(number, &speed) &&
 			site_run_at_speed(site, speed) < site->n_run;
 	bool usual = one >= from && one <= to && two >= from && two <= to;
-	if (!measured && usual)
+	if (measured || (!usual && (one < 10 || two < 10)))
+		return false;
+	if (!takes_list)
+		session_note(s, "read %s as %s m/s: %s takes one speed", word,
+		    number, command);
+	else if (usual)
 		session_note(s, "read %s as two speeds; for %s m/s type %s",
 		    word, number, number);
-	else if (!measured && one >= 10 && two >= 10)
+	else
 		session_note(s,
 		    "read %s as %s m/s; for two speeds type: %s %u %u", word,
 		    number, command, one, two);
-	return !measured && usual;
+	return takes_list && usual;
 }
 
 /* Turns "68 to 78" after the command's name into "68..78". */
@@ -360,8 +367,13 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	const struct command *command = words->n > 1 ? words->command : NULL;
 	const struct command *lister =
 	    command != NULL ? command_meant_by_words(command, word, 1) : NULL;
-	if (lister == NULL || command_option_index(lister, "speeds") == OPTIONS)
+	if (lister == NULL ||
+	    command_option_index(lister, "speeds") == OPTIONS) {
+		if (command != NULL && command->bare != NULL &&
+		    strcmp(command->bare, "speed") == 0)
+			is_two_speeds(s, words->text[1], command->name, false);
 		return;
+	}
 	join_words_to_speed_range(words);
 	/* The parser handles a single word if there is a bare option. */
 	bool bare = lister == command && command->bare != NULL;
@@ -370,8 +382,8 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	FREED char *joined = xstrdup(OPTION);
 	for (; n < words->n && is_speed_range_or_list(words->text[n], &list);
 	     n++) {
-		list = list || (!bare && is_two_speeds(
-					     s, words->text[n], command->name));
+		list = list || (!bare && is_two_speeds(s, words->text[n],
+					     command->name, true));
 		FREED char *part = speed_as_list_item(words->text[n], list);
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
