@@ -675,8 +675,8 @@ target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
 	return sign * f[0][d] > 0 ? 0 : INFINITY;
 }
 
-/* Sets the interval that holds the middle w->level of the draws' speeds.  An end
- * between a draw's speed and the 0 of one below the search is below it too. */
+/* Sets the interval that holds the middle w->level of the draws' speeds.  An
+ * end between a draw's speed and the 0 of one below the search is below it. */
 static void
 target_speed_interval(
     const struct conditions_search *w, double speed[DRAWS], double interval[2])

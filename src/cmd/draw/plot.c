@@ -4,6 +4,7 @@
 #include "cmd/draw/plot.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,6 +47,53 @@ parse_plotted_sites(const struct session *s, const struct args *args,
 	return true;
 }
 
+#define KIND(kind) (1u << PLOT_##kind)
+
+/* The kinds of plots that use an option, for those that not all do: its offset
+ * in struct args, and a bit for each kind. */
+static const struct {
+	size_t option;
+	unsigned kinds;
+} OPTION_KINDS[] = {
+    {offsetof(struct args, speed),
+	KIND(PSD) | KIND(SELECTION) | KIND(APPEARANCE)},
+    {offsetof(struct args, rpm),
+	KIND(PSD) | KIND(SELECTION) | KIND(APPEARANCE)},
+    {offsetof(struct args, other), KIND(PSD) | KIND(SELECTION)},
+    {offsetof(struct args, other_feed), KIND(PSD)},
+    {offsetof(struct args, beside), KIND(PSD)},
+    {offsetof(struct args, site), ~(KIND(PARITY) | KIND(MAP))},
+    {offsetof(struct args, speeds), KIND(RUNS) | KIND(SWEEP) | KIND(RESPONSE)},
+    {offsetof(struct args, band), KIND(PSD)},
+    {offsetof(struct args, of), KIND(RESPONSE)},
+    {offsetof(struct args, limits), KIND(RESPONSE)},
+    {offsetof(struct args, generation),
+	~(KIND(PARITY) | KIND(MAP) | KIND(RESPONSE) | KIND(PROFILE) |
+	    KIND(CORRELATION) | KIND(DRIFT) | KIND(ENERGY))},
+    {offsetof(struct args, param), KIND(PROFILE)},
+    {offsetof(struct args, at), KIND(PSD)},
+    {offsetof(struct args, level), KIND(PSD)},
+    {offsetof(struct args, feed), KIND(PSD) | KIND(SWEEP) | KIND(RESPONSE)},
+    {offsetof(struct args, cut), KIND(PSD) | KIND(SWEEP) | KIND(RESPONSE)},
+};
+
+/* Notes each option of the call that the kind of plot does not use. */
+static void
+note_unused_options(
+    const struct session *s, const struct args *args, enum plot_kind kind)
+{
+	for (size_t i = 0; i < sizeof OPTION_KINDS / sizeof *OPTION_KINDS;
+	     i++) {
+		const void *member =
+		    (const char *)args + OPTION_KINDS[i].option;
+		if ((OPTION_KINDS[i].kinds & 1u << kind) == 0 &&
+		    args_is_given(args, member))
+			session_note(s,
+			    "plot %s does not use %s=", args->operand[0],
+			    args_option_name(args, member));
+	}
+}
+
 static bool
 parse_plot_request(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
@@ -55,6 +103,7 @@ parse_plot_request(const struct session *s, const struct args *args,
 		return error_set(error, ERROR_USAGE,
 		    "there is no plot '%s'\nthe plots are: %s",
 		    args->operand[0], PLOT_KINDS);
+	note_unused_options(s, args, (enum plot_kind)kind);
 	*request = plots_default_request((enum plot_kind)kind);
 	request->other_speed = args->other > 0 ? args->other : NAN;
 	request->other_feed = args->other_feed;
