@@ -19,6 +19,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/moved.h"
+#include "cmd/ask/trust_light.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
 #include "core/psd/rotor_speed.h"
@@ -428,6 +429,20 @@ append_measured_beside_range(const struct session *s, const struct question *q,
 	    quantities_decimals(of), measured, mean);
 }
 
+/* Returns "8 times in 10", with a condition where the light is red, because
+ * what the band allows for is not all that can be wrong there. */
+static char *
+chance_words_at_speed(
+    const struct session *s, const struct question *q, double speed)
+{
+	struct trust light = trust_at_speed(s, q->entry, speed, q->feed);
+	bool red = light.light == LIGHT_RED;
+	trust_free(&light);
+	FREED char *chance = predict_probability_words(q->level);
+	return red ? xasprintf(tr("if the model holds, %s"), chance)
+		   : xstrdup(chance);
+}
+
 char *
 predict_certainty_words(const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
@@ -442,7 +457,7 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	forecast_close(f);
 	if (isnan(value) || isnan(answer.low) || isnan(sample.low))
 		return NULL;
-	FREED char *chance = predict_probability_words(q->level);
+	FREED char *chance = chance_words_at_speed(s, q, speed);
 	FREED char *said = quantities_sentence_with_value(of, value);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, speed, NAN);
