@@ -104,6 +104,8 @@ feed_note_in_answer(struct answer *r, const struct site *site, size_t run,
 	}
 	if (words != NULL && whose == NULL)
 		fields_put_values(answer_fields(r), "feed %s", words);
+	if (words != NULL && whose == NULL && run < site->n_run)
+		answer_repeat_fields_in_rows(r, "feed");
 }
 
 void
