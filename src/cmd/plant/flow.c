@@ -467,8 +467,12 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	FREED char *fixed = plant_fixed_speeds_text(p, NULL),
 		   *speed = fixed != NULL ? xstrdup(fixed)
 					  : xasprintf("%.4g", o->speed);
+	FREED char *rpm =
+	    fixed != NULL
+		? xstrdup("")
+		: rotor_speed_rpm_text(entry->site->rotor, o->speed, NAN);
 	struct answer *r = answer_about_site(entry->site, "flow",
-	    "%g t/h at %s m/s%s%s", p->circuit->tph, speed,
+	    "%g t/h at %s m/s%s%s%s", p->circuit->tph, speed, rpm,
 	    p->from_file || back[0] != '\0' ? ", " : "",
 	    p->from_file || back[0] != '\0' ? what : "");
 	fields_put_values(answer_fields(r),
