@@ -269,11 +269,13 @@ function look(words) {
 	if (!declares(inside != "" ? inside : has[file], words))
 		print FILENAME ":" FNR ": not in " file ": " words
 }
-FNR == 1 || !/^    / {
+function end() {
 	if (rest != "")
 		print FILENAME ":" FNR ": no end: " rest
 	rest = inside = ""
 }
+FNR == 1 { file = "" }
+!/^    / { end() }
 /^    / {
 	if (/^    \/\/ [a-z_\/]+\.h$/) {
 		file = $2
@@ -297,6 +299,7 @@ FNR == 1 || !/^    / {
 	}
 }
 END {
+	end()
 	if (seen < 100)
 		print "only " seen + 0 " declarations"
 }' doc/building-blocks/*.md >"$tmp"
