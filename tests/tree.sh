@@ -199,7 +199,7 @@ none "no marks left"
 # The guides name files and identifiers that there are; minimize_crash is an option of
 # the fuzzer, table3_text.c is made.
 guides="HACKING.md bench/README.md dem/README.md doc/architecture.md
-	doc/experiments.md $(echo doc/decisions/*.md)"
+	doc/experiments.md $(echo doc/decisions/*.md doc/building-blocks/*.md)"
 find src tests bench tools dem -name '*.[ch]' -printf '%f\n' | sort -u >"$tmp.there"
 grep -ohE '[a-z_0-9]+\.[ch]\b' $guides | sort -u | grep -vx table3_text.c |
 	comm -23 - "$tmp.there" >"$tmp"
@@ -229,6 +229,81 @@ for f in $guides; do
 	done
 done >"$tmp"
 none "guides name functions in the file that defines them"
+
+# In code, a line "// FILE.h" names the header that has the declarations below it, and
+# "struct X { .. };" lists members of X.  Blanks, comments and attributes do not count.
+awk '
+# Text between the braces that open at place `at`.
+function body(text, at,    depth, i, c) {
+	for (i = at; i <= length(text); i++) {
+		c = substr(text, i, 1)
+		depth += (c == "{") - (c == "}")
+		if (c == "}" && depth == 0)
+			return substr(text, at, i - at)
+	}
+}
+function header(file,    line, text, macro) {
+	while ((getline line <("src/" file)) > 0) {
+		macro = macro || line ~ /^#/
+		if (!macro)
+			text = text line " "
+		macro = macro && line ~ /\\$/
+	}
+	close("src/" file)
+	gsub(/\/\*([^*]|\*+[^*\/])*\*+\//, "", text)
+	gsub(/[ \t]+/, "", text)
+	gsub(/__attribute__\(\(([^()]|\([^()]*\))*\)\)/, "", text)
+	return ";" text
+}
+# True if the text has these words as a whole declaration.
+function declares(text, words,    at, after) {
+	while ((at = index(text, words)) > 0) {
+		after = substr(text, at + length(words), 1)
+		if (substr(text, at - 1, 1) ~ /[;{}]/ && after ~ /[;{]/)
+			return 1
+		text = substr(text, at + 1)
+	}
+}
+function look(words) {
+	seen++
+	if (!declares(inside != "" ? inside : has[file], words))
+		print FILENAME ":" FNR ": not in " file ": " words
+}
+function end() {
+	if (rest != "")
+		print FILENAME ":" FNR ": no end: " rest
+	rest = inside = ""
+}
+FNR == 1 { file = "" }
+!/^    / { end() }
+/^    / {
+	if (/^    \/\/ [a-z_\/]+\.h$/) {
+		file = $2
+		if (!(file in has))
+			has[file] = header(file)
+	}
+	sub(/\/\/.*/, "")
+	gsub(/[ \t]+/, "")
+	rest = rest $0
+	while (match(rest, /[;{}]/)) {
+		c = substr(rest, RSTART, 1)
+		words = substr(rest, 1, RSTART - 1)
+		rest = substr(rest, RSTART + 1)
+		if (c == "{") {
+			look(words)
+			inside = body(has[file], index(has[file], words "{") + length(words))
+		} else if (c == "}")
+			inside = ""
+		else if (words != "")
+			look(words)
+	}
+}
+END {
+	end()
+	if (seen < 100)
+		print "only " seen + 0 " declarations"
+}' doc/building-blocks/*.md >"$tmp"
+none "what the guides say can be called is declared so"
 
 [ "$(wc -l <HACKING.md)" -le 200 ]
 result $? "HACKING.md has 200 lines at most"

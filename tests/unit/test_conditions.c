@@ -32,7 +32,8 @@ a_condition_says_the_same_in_other_words(void **state)
 	    {"58 % passes 2 mm", 58, 58}, {"58,5 % passing 2 mm", 58.5, 58.5},
 	    {"34 % passing 2 of 0/4", 34, 34}, {"34 % passing", NAN, NAN},
 	    {"P80=6.5 mm", 6.5, 6.5}, {"p80 = 6e-1", 0.6, 0.6},
-	    {"0/2 of 0/4 >= 30", NAN, NAN}};
+	    {"0/2 of 0/4 >= 30", NAN, NAN}, {"P80 < 10001", NAN, NAN},
+	    {"passing 2 < 101", NAN, NAN}, {"cu < 10001", NAN, 10001}};
 	(void)state;
 	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
 		struct condition c;

@@ -310,7 +310,13 @@ own_results_are_no_sheet(void **state)
 		assert_string_equal(command, "plot");
 		free(command);
 	}
+	static const char JSON[] = "{\"command\":\"predict\",\"site\":\"T\"}";
+	FREED char *command =
+	    command_that_made_file(put_sheet(JSON, strlen(JSON)));
+	assert_string_equal(command, "predict");
 	const char *path = put_sheet(GOOD, strlen(GOOD));
+	assert_null(command_that_made_file(path));
+	path = put_sheet("{\"sieves\":[8,4]}", 16);
 	assert_null(command_that_made_file(path));
 }
 

@@ -119,9 +119,9 @@ parse_limit(const char *text, const struct quantity *q, double *limit,
 		word[strlen(word) - strlen(unit)] = '\0';
 	word = text_trim(word);
 	double one = quantities_value_in_shown_unit(q, 1);
-	double most = unit[0] == '%'   ? 100
-		      : unit[0] == 'm' ? SIZE_MOST_MM
-				       : INFINITY;
+	double most = unit[0] == '%'          ? 100
+		      : quantities_is_size(q) ? SIZE_MOST_MM
+					      : INFINITY;
 	bool ok = text_parse_number(word, limit) ||
 		  error_expected_limit(word, q, error);
 	if (ok && (*limit < 0 || *limit > most))

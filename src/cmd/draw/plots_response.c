@@ -263,7 +263,8 @@ note_certainty_of_window(struct chart *chart, const struct site *site,
 		    100 * level);
 }
 
-/* Returns a chart of the quantities in a unit, or NULL if there are none. */
+/* Returns a chart of the quantities in a unit, or NULL if there are none, or
+ * they already have a line. */
 static struct chart *
 make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 {
@@ -271,21 +272,23 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 		const char *unit, *title, *about;
 	} TITLES[] = {{"%", N_("share, %"), N_("shares")},
 	    {"mm", N_("size, mm"), N_("sizes")}};
-	const char *title = tr("value, -"), *about = tr("single figures");
+	const char *about = tr("single figures");
 	const struct site *site = d->asked->entry->site;
 	size_t n = 0;
 	for (size_t i = 0; i < d->n; i++)
-		n += strcmp(quantities_unit(&d->q[i]), unit) == 0;
+		n += d->line[i] == NULL &&
+		     strcmp(quantities_unit(&d->q[i]), unit) == 0;
 	if (n == 0)
 		return NULL;
+	char *title = xasprintf(tr("value, %s"), unit[0] != '\0' ? unit : "-");
 	for (size_t i = 0; i < ARRAY_LEN(TITLES); i++)
 		if (strcmp(TITLES[i].unit, unit) == 0) {
-			title = tr(TITLES[i].title);
+			xreplace(&title, xstrdup(tr(TITLES[i].title)));
 			about = tr(TITLES[i].about);
 		}
 	struct chart *chart = site_chart(site,
 	    axis_new_linear(tr("tip speed, m/s"), d->from, d->to),
-	    (struct axis){.title = xstrdup(title)},
+	    (struct axis){.title = title},
 	    answers_is_sheet_in_rpm(site) ? N_("%s against rotor speed")
 					  : N_("%s against tip speed"),
 	    about);
@@ -316,11 +319,14 @@ fill_quantity_lines(struct session *s, struct drawn *d, struct chart *first)
 static struct chart *
 make_chart_for_each_unit(struct session *s, struct drawn *d)
 {
-	static const char *const UNITS[] = {"%", "mm", ""};
+	static const char *const FIRST[] = {"%", "mm", ""};
+	const size_t n_first = ARRAY_LEN(FIRST);
 	const struct entry *entry = d->asked->entry;
 	struct chart *first = NULL, **next = &first, *last = NULL;
-	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
-		*next = make_chart_of_unit(s, d, UNITS[i]);
+	for (size_t i = 0; i < n_first + d->n; i++) {
+		*next = make_chart_of_unit(s, d,
+		    i < n_first ? FIRST[i]
+				: quantities_unit(&d->q[i - n_first]));
 		if (*next != NULL) {
 			last = *next;
 			next = &last->below;

@@ -55,6 +55,18 @@ command_that_made_sheet(const struct sheet *sheet)
 		     : command_on_about_sheet(sheet);
 }
 
+/* Results as JSON begin with {"command":"predict". */
+static char *
+command_in_json(const char *bytes, size_t n)
+{
+	static const char BEGIN[] = "{\"command\":\"";
+	const size_t before = strlen(BEGIN);
+	if (n < before || memcmp(bytes, BEGIN, before) != 0)
+		return NULL;
+	const char *name = bytes + before, *end = memchr(name, '"', n - before);
+	return end != NULL ? xstrndup(name, (size_t)(end - name)) : NULL;
+}
+
 static char *
 command_in_workbook(const char *path)
 {
@@ -86,6 +98,8 @@ command_that_made_file(const char *path)
 	/* A workbook must be read whole; one with results is small. */
 	if (n > 2 && memcmp(bytes, "PK", 2) == 0)
 		return about.st_size <= MOST ? command_in_workbook(path) : NULL;
+	if ((command = command_in_json(bytes, n)) != NULL)
+		return command;
 	while (n > 0 && bytes[n - 1] != '\n')
 		n--;
 	if (n > 0)

@@ -12,9 +12,9 @@ struct sheet;
  * The caller frees it. */
 char *command_that_made_sheet(const struct sheet *sheet);
 
-/* As command_that_made_sheet, for a file.  Reads only the first lines of a text
- * file, and a workbook only if it is small, so it is fast for many files.
- * Returns NULL if the file cannot be read. */
+/* As command_that_made_sheet, for a file, also of JSON.  Reads only the first
+ * lines of a text file, and a workbook only if it is small, so it is fast for
+ * many files.  Returns NULL if the file cannot be read. */
 char *command_that_made_file(const char *path);
 
 #endif
