@@ -232,6 +232,15 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 	return g;
 }
 
+/* True for "Out" and "Ut 70 m/s". */
+static bool
+begins_with_out(const char *text)
+{
+	size_t n = strcspn(text, " ");
+	return (n == 3 && strncasecmp(text, "out", n) == 0) ||
+	       (n == 2 && strncasecmp(text, "ut", n) == 0);
+}
+
 /* Changes "In" to "feed" if there is an "Out" beside it; otherwise it means
  * inch. */
 static void
@@ -240,11 +249,8 @@ mark_in_beside_out_as_feed(struct sheet_grid *g)
 	static char feed[] = "feed";
 	for (size_t r = 0; r < g->n_row; r++) {
 		bool out = false;
-		for (size_t c = 0; c < g->n_col; c++) {
-			const char *text = cell_at(g, r, c)->text;
-			out = out || strcasecmp(text, "out") == 0 ||
-			      strcasecmp(text, "ut") == 0;
-		}
+		for (size_t c = 0; c < g->n_col; c++)
+			out = out || begins_with_out(cell_at(g, r, c)->text);
 		for (size_t c = 0; c < g->n_col && out; c++)
 			if (strcasecmp(cell_at(g, r, c)->text, "in") == 0)
 				cell_at(g, r, c)->text = feed;
