@@ -101,6 +101,16 @@ sed 's/"version":"[^"]*"/"version":"0.0.9"/' p2.json >other.json
 refuses 'expected the version of p1.json .*, got 0.0.9' \
 	p1.json other.json p3.json
 result $? 'one of another version is refused'
+sed 's/"format":1/"format":2/' p2.json >other.json
+refuses 'other.json: tipspeed .* wrote this part in format 2, but this build' \
+	p1.json other.json p3.json
+result $? 'one of a build with another format is refused'
+for i in 1 2 3; do
+	sed 's/"format":1,//' p$i.json >old$i.json
+done
+refuses 'old1.json: tipspeed .* wrote this part in format 0, but this build' \
+	old1.json old2.json old3.json
+result $? 'and those from before there was a format'
 head -c 300 p2.json >short.json
 refuses "expected what 'calibrate all part=I/N' or" p1.json short.json &&
 	refuses "expected what 'calibrate all part=I/N' or" one.json

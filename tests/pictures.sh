@@ -45,6 +45,39 @@ for kind in $kinds; do
 done
 result ${#wrong} "PNG and PDF are such:$wrong"
 
+# A figure for a column of a journal is as wide as that, its letters are readable,
+# and nothing begins beyond its edge or is larger than it.
+"$TIPSPEED" data/sites/tierp.csv -c 'calibrate population=50 generations=26' \
+	-c 'set figure_mm 85' -c 'plot psd speed=74 band=on > column.svg' \
+	-c 'predict 74 > predict.svg' -c 'plot response > response85.svg' \
+	-c 'plot correlation > correlation85.svg' -c 'plot psd > column.pdf' \
+	-c 'set figure_mm 170' -c 'plot runs > page.svg' >out.txt 2>err.txt
+result $? "figures are drawn for a column and a page"
+wrong=
+for figure in column predict response85 correlation85; do
+	grep -q '^<svg.* width="241pt"' $figure.svg || wrong="$wrong $figure"
+	tr '<' '\n' <$figure.svg | awk -F '"' '/^text / && !/rotate/ {
+		split($0, part, ">")
+		letters = length(part[2])
+		size = $6
+		from = $2 - ($8 == "middle" ? 0.5 : $8 == "end") * letters * size / 2
+		if (from < 0 || from + letters * size / 2 > 245 ||
+			size < 5 || size > 9) {
+			print "'$figure': " $0
+			bad = 1
+		}
+	}
+	END { exit bad }' >>err.txt || wrong="$wrong $figure"
+done
+grep -q '^<svg.* width="482pt"' page.svg || wrong="$wrong page"
+! command -v pdfinfo >/dev/null || pdfinfo column.pdf |
+	grep -q '^Page size: *241 x' || wrong="$wrong pdf"
+result ${#wrong} "they are 85 and 170 mm wide, and all of them can be read:$wrong"
+remark err.txt
+"$TIPSPEED" data/sites/tierp.csv -c 'plot psd width=60 > narrow.svg' 2>err.txt
+grep -q 'figure_mm' err.txt
+result $? "width=, of text, is said to be so"
+
 "$TIPSPEED" data/sites/borlange.csv -c calibrate -c 'predict 72 > one.svg' \
 	-c 'plot psd speed=72 band=on > two.svg' \
 	-c 'predict 72 band=off > three.svg' -c 'predict 72 > four.png' \

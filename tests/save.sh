@@ -145,6 +145,49 @@ run --store=s.db -c 'load tierp.csv; params set f_mat=2 e0_min=16 alpha=1
 refused 'a material that has changed' 3 'it has changed' \
 	'--store=s.db' 'source ../pit.tip'
 refused 'a material that is gone' 2 "no material 'pit'" 'source ../pit.tip'
+# A folder with the script and its sheets is found wherever it is moved and
+# wherever the script is run from; names of other folders stay as they are.
+plant="$dir/plant"
+mkdir -p "$plant/sheets"
+cp "$here/tierp.csv" "$plant/sheets/tierp"
+cp "$here/tierp.csv" "$here/north one.csv" "$here/own.csv" "$plant/sheets"
+cp "$srcdir/data/sites/bro.csv" "$plant"
+cp "$srcdir/data/sites/umea.csv" "$dir"
+(cd "$plant/sheets" && "$TIPSPEED" --format=json -c "load tierp ../bro.csv
+	load ../../umea.csv; use tierp; params set f_mat=2 e0_min=16 alpha=1
+	spec own.csv; predict 72 feed=\"north one.csv*0.5+tierp.csv@69*0.5\"
+	energy load vsi-69" -c 'save ../quarry' -c 'save tierp.tip') \
+	>"$dir/first" 2>"$dir/log"
+result $? 'a session is saved above its sheets'
+remark "$dir/log"
+! grep -v "^load $dir/umea.csv\|^#\|vsi-69.csv is" "$plant/quarry.tip" |
+	grep "$dir" && grep -q "^load $dir/umea.csv" "$plant/quarry.tip" &&
+	grep -q '^load sheets/tierp ' "$plant/quarry.tip" &&
+	grep -q '^load ./tierp ' "$plant/sheets/tierp.tip"
+result $? 'and names them from its folder'
+mv "$plant" "$dir/moved"
+# Answers name the sheets by their paths.
+same_but_for_folders() {
+	for file in first second; do
+		sed 's#[^" ;*+]*/\([^"/ ;*+]*\.csv\)#\1#g; s#/[^"*+]*/##g' \
+			"$dir/$file" | grep -v '"command":"load"' >"$dir/$file.txt"
+	done
+	same "$dir/first.txt" "$dir/second.txt"
+}
+echo nonsense >"$dir/else/bro.csv"
+printf 'source moved/quarry.tip\nwrite bro.csv replace=on\n' >"$dir/outer.tip"
+for from in / "$dir/else" "$dir/moved" "$dir/moved/sheets"; do
+	(cd "$from" && "$TIPSPEED" --format=json "$dir/moved/quarry.tip") \
+		>"$dir/second" 2>"$dir/log" && same_but_for_folders
+	result $? "it is found from $(basename "$from")"
+	remark "$dir/log"
+done
+(cd "$dir/else" && "$TIPSPEED" --format=json -f ../outer.tip) \
+	>"$dir/second" 2>"$dir/log" && same_but_for_folders &&
+	grep -q '^size_mm' "$dir/else/bro.csv" && [ ! -e "$dir/bro.csv" ]
+result $? 'a script that sources it finds it; what it writes is written here'
+remark "$dir/log"
+
 refused 'a script that is there' 2 'already exists' 'save ../undone.tip'
 refused 'another name' 2 'ends in .tip' 'save results.csv'
 refused 'a device' 2 'ends in .tip, got ./dev/full.' 'save /dev/full'

@@ -12,27 +12,41 @@
 #include "base/xalloc.h"
 #include "config.h"
 
-/* The page, in points: as wide as two columns of a journal. */
+/* Distances on the page, points. */
 enum {
-	LEFT = 64,
 	TOP = 34,
-	WIDTH = 336,
-	LEAST_HEIGHT = 240,
-	STRIP_HEIGHT = 96,
-	LEGEND = LEFT + WIDTH + 18,
+	LEGEND = 18, /* from the plot to the legend beside it */
 	SAMPLE = 26,
-	RIGHT = 192,
-	PAGE = LEFT + WIDTH + RIGHT, /* PICTURE_WIDTH */
-	BELOW = 52,                  /* labels and title of the x axis */
+	SAMPLE_GAP = 5,
+	Y_TITLE = 46, /* left of the y axis */
+	BELOW = 52,   /* labels and title of the x axis */
 	ROW = 13,
-	FOOT_ROW = 11,
-	FOOT_COLUMNS = 112
+	FOOT_ROW = 11
 };
+
+/* How a chart is laid out on a page of some width.  left: of the plot; right:
+ * what is left beside it, for the legend if that is beside.  title, axis, foot:
+ * sizes of letters; head, text: what a letter of the title and of the foot
+ * takes; margin: left of the foot.  All in points. */
+struct page_layout {
+	bool beside;
+	double left, right, title, axis, foot, head, text, margin;
+};
+
+/* As wide as two columns of a journal, and narrower. */
+static const struct page_layout WIDE = {true, 64, 192, 11, 10, 8, 6, 4.71, 64},
+				NARROW = {false, 56, 12, 9, 9, 7, 5.5, 4.1, 10};
+
+/* The heights of a plot and of a strip, as shares of its width, and the least
+ * height of a strip, points. */
+static const double HEIGHT = 240.0 / 336, STRIP = 96.0 / 336, LEAST_STRIP = 60;
 
 struct chart_page {
 	const struct chart *chart;
 	struct pen *pen;
-	double top, height; /* of the plot */
+	const struct page_layout *layout;
+	double page;                     /* its width */
+	double left, top, width, height; /* of the plot */
 };
 
 bool
@@ -89,7 +103,7 @@ new_pen_for_form(enum picture_form form, double width, double height,
 static double
 page_x_of_value(const struct chart_page *p, double x)
 {
-	return LEFT + WIDTH * axis_relative_position(&p->chart->x, x);
+	return p->left + p->width * axis_relative_position(&p->chart->x, x);
 }
 
 static double
@@ -122,7 +136,7 @@ picture_draw_x_axis(struct chart_page *p)
 	FREED int *column = xcalloc(a->n, sizeof *column);
 	FREED int *row = xcalloc(a->n, sizeof *row);
 	double end[ROWS] = {0};
-	axis_place_labels(a, WIDTH / COLUMN, ROWS, column, row);
+	axis_place_labels(a, (int)p->width / COLUMN, ROWS, column, row);
 	for (size_t i = 0; i < a->n; i++) {
 		double x = page_x_of_value(p, a->tick[i].at);
 		double half = DIGIT * (double)strlen(a->tick[i].label) / 2;
@@ -134,8 +148,9 @@ picture_draw_x_axis(struct chart_page *p)
 		    a->tick[i].label,
 		    &(struct pen_style){.size = LABEL, .anchor = PEN_MIDDLE});
 	}
-	p->pen->text(p->pen, LEFT + WIDTH / 2.0, foot + 4 + 4 * (LABEL + 2),
-	    a->title, &(struct pen_style){.size = 10, .anchor = PEN_MIDDLE});
+	p->pen->text(p->pen, p->left + p->width / 2, foot + 4 + 4 * (LABEL + 2),
+	    a->title,
+	    &(struct pen_style){.size = p->layout->axis, .anchor = PEN_MIDDLE});
 }
 
 /* Returns true if a label at y would not touch one of those placed. */
@@ -161,20 +176,21 @@ picture_draw_y_axis(struct chart_page *p)
 			double y = page_y_of_value(p, t->at);
 			if (t->rank != rank)
 				continue;
-			draw_straight_line(p, LEFT - 4, y, LEFT, y, THIN);
+			draw_straight_line(p, p->left - 4, y, p->left, y, THIN);
 			if (t->guide)
-				draw_straight_line(
-				    p, LEFT, y, LEFT + WIDTH, y, GUIDE);
+				draw_straight_line(p, p->left, y,
+				    p->left + p->width, y, GUIDE);
 			if (!is_label_place_free(placed, n, y))
 				continue;
 			placed[n++] = y;
-			p->pen->text(p->pen, LEFT - 6, y + 3, t->label,
+			p->pen->text(p->pen, p->left - 6, y + 3, t->label,
 			    &(struct pen_style){
 				.size = LABEL, .anchor = PEN_END});
 		}
-	p->pen->text(p->pen, 18, p->top + p->height / 2, a->title,
+	p->pen->text(p->pen, p->left - Y_TITLE, p->top + p->height / 2,
+	    a->title,
 	    &(struct pen_style){
-		.size = 10, .anchor = PEN_MIDDLE, .upward = true});
+		.size = p->layout->axis, .anchor = PEN_MIDDLE, .upward = true});
 }
 
 /* Draws a regular polygon around a point.  start: where its first corner is, in
@@ -314,7 +330,8 @@ draw_area_square(struct chart_page *p, const struct chart_series *s, size_t i)
 		p->pen->path(p->pen, px, py, ARRAY_LEN(px),
 		    &(struct pen_stroke){s->series, CHART_SOLID, 0, PEN_TINT});
 	p->pen->text(p->pen, x, y + 3, s->field[i].label,
-	    &(struct pen_style){.size = 8, .anchor = PEN_MIDDLE});
+	    &(struct pen_style){
+		.size = fmin(8, 0.31 * width), .anchor = PEN_MIDDLE});
 }
 
 /* Places on a page that marks and names have taken. */
@@ -329,8 +346,8 @@ static bool
 is_box_free_on_page(
     const struct chart_page *p, const struct taken *taken, struct box box)
 {
-	if (box.left < LEFT || box.right > LEFT + WIDTH || box.top < p->top ||
-	    box.foot > p->top + p->height)
+	if (box.left < p->left || box.right > p->left + p->width ||
+	    box.top < p->top || box.foot > p->top + p->height)
 		return false;
 	for (size_t i = 0; i < taken->n; i++) {
 		const struct box *b = &taken->box[i];
@@ -434,121 +451,215 @@ picture_draw_data(struct chart_page *p)
 	picture_draw_point_names(p);
 }
 
+/* Draws the line, mark and name of series i or, after the series, of a rule. */
 static void
-picture_draw_legend(struct chart_page *p)
+draw_legend_entry(struct chart_page *p, size_t i, double x, double y)
+{
+	const struct chart *c = p->chart;
+	struct pen_style style = {.size = 8};
+	const struct chart_series *s = i < c->n ? c->series[i] : NULL;
+	const struct chart_rule *r = s ? NULL : &c->rule[i - c->n];
+	struct pen_stroke stroke =
+	    s != NULL ? (struct pen_stroke){s->series, s->line, 1.2, PEN_OPEN}
+		      : stroke_of_rule(r);
+	if (stroke.line != CHART_MARKS)
+		draw_straight_line(p, x, y, x + SAMPLE, y,
+		    s != NULL && s->bars ? stroke_of_bar(s) : stroke);
+	if (s != NULL && s->mark != 0)
+		picture_draw_mark(p, s, x + SAMPLE / 2.0, y);
+	p->pen->text(p->pen, x + SAMPLE + SAMPLE_GAP, y + 3,
+	    s != NULL ? s->name : r->name, &style);
+}
+
+/* Returns the number of rows of the legend below a plot and, if `draw`, draws
+ * it.  Its entries stand side by side where there is room; those without a name
+ * are left out. */
+static size_t
+lay_out_legend_below(struct chart_page *p, bool draw)
+{
+	const double letter = 4.4;
+	const struct chart *c = p->chart;
+	double x = p->layout->margin;
+	size_t rows = 0;
+	for (size_t i = 0; i < c->n + c->n_rule; i++) {
+		const char *name =
+		    i < c->n ? c->series[i]->name : c->rule[i - c->n].name;
+		double wide = SAMPLE + SAMPLE_GAP +
+			      letter * text_width_in_columns(name) + LEGEND / 2;
+		if (name[0] == '\0')
+			continue;
+		if (rows == 0 || x + wide > p->page) {
+			x = p->layout->margin;
+			rows++;
+		}
+		if (draw)
+			draw_legend_entry(p, i, x,
+			    p->top + p->height + BELOW +
+				ROW * ((double)rows - 0.5));
+		x += wide;
+	}
+	return rows;
+}
+
+static void
+draw_legend_beside(struct chart_page *p)
 {
 	const struct chart *c = p->chart;
 	double y = p->top + ROW / 2.0;
-	struct pen_style style = {.size = 8};
-	for (size_t i = 0; i < c->n + c->n_rule; i++, y += ROW) {
-		const struct chart_series *s = i < c->n ? c->series[i] : NULL;
-		const struct chart_rule *r = s ? NULL : &c->rule[i - c->n];
-		struct pen_stroke stroke =
-		    s != NULL
-			? (struct pen_stroke){s->series, s->line, 1.2, PEN_OPEN}
-			: stroke_of_rule(r);
-		if (stroke.line != CHART_MARKS)
-			draw_straight_line(p, LEGEND, y, LEGEND + SAMPLE, y,
-			    s != NULL && s->bars ? stroke_of_bar(s) : stroke);
-		if (s != NULL && s->mark != 0)
-			picture_draw_mark(p, s, LEGEND + SAMPLE / 2.0, y);
-		p->pen->text(p->pen, LEGEND + SAMPLE + 5, y + 3,
-		    s != NULL ? s->name : r->name, &style);
-	}
+	for (size_t i = 0; i < c->n + c->n_rule; i++, y += ROW)
+		draw_legend_entry(p, i, p->left + p->width + LEGEND, y);
 }
 
 /* Returns the text at the foot: the notes, and then the source of the data and
  * the program.  The caller frees it. */
 static char *
-chart_foot_text(const struct chart *chart, const char *program)
+chart_foot_text(
+    const struct chart_page *p, const struct chart *chart, const char *program)
 {
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = text_open_memory(&text, &n);
 	FREED char *about =
 	    xasprintf(tr("data: %s; drawn by %s"), chart->about, program);
+	int columns = (int)((p->page - p->layout->margin) / p->layout->text);
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		for (size_t i = 0; i < c->n_note; i++)
-			text_print_wrapped(c->note[i], 0, FOOT_COLUMNS, memory);
-	text_print_wrapped(about, 0, FOOT_COLUMNS, memory);
+			text_print_wrapped(c->note[i], 0, columns, memory);
+	text_print_wrapped(about, 0, columns, memory);
 	fclose(memory);
 	return text;
 }
 
+/* Draws lines of text, the first at y and each `row` below the one before. */
 static void
-picture_draw_foot(struct chart_page *p, char *text)
+draw_text_lines(struct chart_page *p, char *text, double x, double y,
+    double row, const struct pen_style *style)
 {
 	char *save = NULL;
-	double y = p->top + p->height + BELOW;
-	struct pen_style style = {.size = 8};
 	for (char *line = strtok_r(text, "\n", &save); line != NULL;
-	     line = strtok_r(NULL, "\n", &save)) {
-		y += FOOT_ROW;
-		p->pen->text(p->pen, LEFT, y, line, &style);
-	}
+	     line = strtok_r(NULL, "\n", &save), y += row)
+		p->pen->text(p->pen, x, y, line, style);
+}
+
+static int
+columns_of_title(const struct chart_page *p)
+{
+	return (int)((p->page - p->left) / p->layout->head);
+}
+
+static double
+rows_of_title(const struct chart_page *p)
+{
+	return fmax(
+	    1, (double)text_count_rows(p->chart->title, columns_of_title(p)));
 }
 
 static void
 picture_draw_page(struct chart_page *p)
 {
-	double x[] = {LEFT, LEFT + WIDTH, LEFT + WIDTH, LEFT, LEFT};
+	double x[] = {
+	    p->left, p->left + p->width, p->left + p->width, p->left, p->left};
 	double y[] = {
 	    p->top, p->top, p->top + p->height, p->top + p->height, p->top};
-	p->pen->text(p->pen, LEFT, p->top - 12, p->chart->title,
-	    &(struct pen_style){.size = 11, .bold = true});
+	FREED char *title = text_wrapped(p->chart->title, columns_of_title(p));
+	draw_text_lines(p, title, p->left,
+	    p->top - 12 - ROW * (rows_of_title(p) - 1), ROW,
+	    &(struct pen_style){.size = p->layout->title, .bold = true});
 	picture_draw_x_axis(p);
 	picture_draw_y_axis(p);
 	picture_draw_data(p);
 	p->pen->path(p->pen, x, y, ARRAY_LEN(x), &THIN);
-	if (p->chart->strip == 0) /* its title says it all */
-		picture_draw_legend(p);
+	if (p->chart->strip > 0) /* its title says it all */
+		return;
+	if (p->layout->beside)
+		draw_legend_beside(p);
+	else
+		lay_out_legend_below(p, true);
 }
 
-static double
-plot_height_of_chart(const struct chart *chart)
+static struct chart_page
+page_of_width(double width, struct pen *pen)
 {
-	return fmax(chart->strip > 0 ? STRIP_HEIGHT : LEAST_HEIGHT,
-	    ROW * (double)(chart->n + chart->n_rule));
+	const struct page_layout *layout =
+	    width < PICTURE_WIDTH ? &NARROW : &WIDE;
+	return (struct chart_page){.pen = pen,
+	    .layout = layout,
+	    .page = width,
+	    .left = layout->left,
+	    .width = width - layout->left - layout->right};
+}
+
+/* Places a chart, whose page begins at `top`, and returns where the next one
+ * begins. */
+static double
+place_chart_on_page(struct chart_page *p, const struct chart *chart, double top)
+{
+	p->chart = chart;
+	const struct page_layout *l = p->layout;
+	p->top = top + TOP + ROW * (rows_of_title(p) - 1);
+	p->height = chart->strip > 0 ? fmax(LEAST_STRIP, STRIP * p->width)
+				     : HEIGHT * p->width;
+	if (l->beside)
+		p->height =
+		    fmax(p->height, ROW * (double)(chart->n + chart->n_rule));
+	double legend = l->beside || chart->strip > 0
+			    ? 0
+			    : ROW * (double)lay_out_legend_below(p, false);
+	return p->top + p->height + BELOW + legend;
+}
+
+/* As chart_picture_height and chart_picture_draw, on a page of any width. */
+static double
+height_on_page(const struct chart *chart, const char *program, double width)
+{
+	struct chart_page p = page_of_width(width, NULL);
+	FREED char *foot = chart_foot_text(&p, chart, program);
+	size_t rows = 1;
+	for (const char *c = foot; *c != '\0'; c++)
+		rows += *c == '\n';
+	double end = 0;
+	for (const struct chart *c = chart; c != NULL; c = c->below)
+		end = place_chart_on_page(&p, c, end);
+	return end + FOOT_ROW * (double)rows;
+}
+
+static void
+draw_on_page(const struct chart *chart, const char *program, double width,
+    struct pen *pen)
+{
+	struct chart_page p = page_of_width(width, pen);
+	FREED char *foot = chart_foot_text(&p, chart, program);
+	double end = 0;
+	for (const struct chart *c = chart; c != NULL; c = c->below) {
+		end = place_chart_on_page(&p, c, end);
+		picture_draw_page(&p);
+	}
+	draw_text_lines(&p, foot, p.layout->margin, end + FOOT_ROW, FOOT_ROW,
+	    &(struct pen_style){.size = p.layout->foot});
 }
 
 double
 chart_picture_height(const struct chart *chart, const char *program)
 {
-	FREED char *foot = chart_foot_text(chart, program);
-	size_t rows = 1;
-	for (const char *c = foot; *c != '\0'; c++)
-		rows += *c == '\n';
-	double height = FOOT_ROW * (double)rows;
-	for (const struct chart *c = chart; c != NULL; c = c->below)
-		height += TOP + plot_height_of_chart(c) + BELOW;
-	return height;
+	return height_on_page(chart, program, PICTURE_WIDTH);
 }
 
 void
 chart_picture_draw(
     const struct chart *chart, const char *program, struct pen *pen)
 {
-	struct chart_page p = {.pen = pen, .top = TOP};
-	FREED char *foot = chart_foot_text(chart, program);
-	for (p.chart = chart;; p.chart = p.chart->below) {
-		p.height = plot_height_of_chart(p.chart);
-		picture_draw_page(&p);
-		if (p.chart->below == NULL)
-			break;
-		p.top += p.height + BELOW + TOP;
-	}
-	picture_draw_foot(&p, foot);
+	draw_on_page(chart, program, PICTURE_WIDTH, pen);
 }
 
 bool
-picture_write(const struct chart *chart, enum picture_form form,
+picture_write(const struct chart *chart, enum picture_form form, double width,
     const char *program, FILE *out)
 {
 	const struct pen_paper paper = white_paper(chart->theme);
 	struct pen *pen =
-	    new_pen_for_form(form, PAGE, chart_picture_height(chart, program),
+	    new_pen_for_form(form, width, height_on_page(chart, program, width),
 		&paper, chart->title, chart->about, out);
-	chart_picture_draw(chart, program, pen);
+	draw_on_page(chart, program, width, pen);
 	return pen->close(pen);
 }
 

@@ -11,7 +11,7 @@
 /* PICTURE_INLINE: SVG inside an HTML page. */
 enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF, PICTURE_INLINE };
 
-/* The width of a chart, points. */
+/* The width of a chart unless another is asked for, points. */
 #define PICTURE_WIDTH 592.0
 
 /* Determines the form from the extension of a file (".svg").  Returns false for
@@ -27,9 +27,10 @@ const char *picture_list_forms(void);
 
 /* Writes the chart with axes, legend and notes and, at its foot, the source of
  * the data and the program ("tipspeed 0.1.0").  Ticks, marks and dashes are
- * those of chart_draw.  Returns false if it cannot be drawn or written. */
+ * those of chart_draw.  width: in points; below PICTURE_WIDTH the legend is
+ * below the plot.  Returns false if it cannot be drawn or written. */
 bool picture_write(const struct chart *chart, enum picture_form form,
-    const char *program, FILE *out);
+    double width, const char *program, FILE *out);
 
 /* For callers that lay out the pages of a PDF, in points.
  * picture_new_pdf_pages returns a pen, or NULL if this program was built

@@ -1279,7 +1279,7 @@ what_is_left_is_found_again(void **state)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = open_memstream(&text, &n);
-	journal_write_script(s, memory);
+	journal_write_script(s, NULL, memory);
 	fclose(memory);
 	assert_non_null(strstr(text, "set goal p80<5.3\n"));
 	free(text);
@@ -1545,7 +1545,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 	fflush(heard);
 	assert_int_equal(n, 0);
 	assert_string_equal(t->command, "predict speed=75.0");
-	journal_write_script(s, heard);
+	journal_write_script(s, NULL, heard);
 	fflush(heard);
 	assert_non_null(strstr(text, "\npredict speed=75.0\n"));
 	assert_null(strstr(text, "speed=75.1"));

@@ -56,7 +56,7 @@ static const struct {
     {"size_mm,feed,product@401,product@79\n" ROWS, 1, 14, "its tip speed",
 	"@SPEED"},
     {"Class,Feed %,69 m/s %,79 m/s %\n<16 mm,0,0,0\n<8 mm,60,30,20\n"
-     "<4 mm,30,50,60\n<1 mm,10,20,20\n",
+     "<4 mm,25,50,60\n<1 mm,10,15,15\npan,5,5,5\n",
 	1, 7, "what column 2 is", "2=feed retained_pct"},
     {"mm,Feed %,66 m/s %,72 m/s %\n" ROWS "Tip speed m/s,,65,71\n", 5, 16,
 	"what column 3 is", "3=product@65"},

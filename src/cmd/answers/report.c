@@ -338,7 +338,7 @@ write_reproducing_script(struct session *s, const struct report_request *ask)
 	FILE *out = s->document->out;
 	fprintf(out, "# A session of tipspeed %s, written by 'report'.\n",
 	    PACKAGE_VERSION);
-	journal_write_script(s, out);
+	journal_write_script(s, NULL, out);
 	FREED char *file = text_in_quotes(s->file);
 	FREED char *line = fill_in_placeholders(
 	    "reportCONDITIONS speed=SPEEDRATESPECASKEDCUT", ask);

@@ -164,8 +164,8 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 		break;
 	case DOCUMENT_PICTURE:
 		fputs("<figure>\n", out);
-		picture_write(
-		    p->chart, PICTURE_INLINE, "tipspeed " PACKAGE_VERSION, out);
+		picture_write(p->chart, PICTURE_INLINE, PICTURE_WIDTH,
+		    "tipspeed " PACKAGE_VERSION, out);
 		fputs("</figure>\n", out);
 		break;
 	}

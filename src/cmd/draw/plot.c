@@ -351,9 +351,11 @@ plot_write_image(struct session *s, struct chart *chart, struct error *error)
 		document_add_chart(s->document, chart);
 		return true;
 	}
+	/* Whole points; the usual width comes to PICTURE_WIDTH. */
+	double width = round(s->set.figure_mm / 25.4 * 72);
 	bool ok = (picture_form_of_file_name(s->file, &form) &&
-		      picture_write(
-			  chart, form, "tipspeed " PACKAGE_VERSION, s->out)) ||
+		      picture_write(chart, form, width,
+			  "tipspeed " PACKAGE_VERSION, s->out)) ||
 		  error_cannot_draw(s, error);
 	chart_free(chart);
 	return ok;
@@ -796,7 +798,12 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	if (chart == NULL)
 		return false;
 	enum charset charset = charset_asked(args, s->screen.drawing);
-	if (plot_is_image_wanted(s))
+	bool image = plot_is_image_wanted(s);
+	if (image && (args->width > 0 || args->height > 0))
+		session_note(s,
+		    "width= and height= are those of text; 'set figure_mm 85' "
+		    "sets the width of images");
+	if (image)
 		return plot_write_image(s, chart, error);
 	if (s->set.format == ANSWER_TABLE)
 		print_chart(s, args, chart, charset);

@@ -59,7 +59,7 @@ const struct command TABLE_PICTURES[] = {
 	    "the tip speed; profile: what the data say about a parameter; "
 	    "correlation: about pairs; drift: control charts; energy: "
 	    "collision energies. > FILE.svg, .png or .pdf draws a publication "
-	    "figure.",
+	    "figure, as wide as 'set figure_mm' says.",
 	.more =
 	    "runs predicts each from its own feed, with speeds= also at speeds "
 	    "that were not measured; parity has the held-out speeds of all "
@@ -77,8 +77,11 @@ const struct command TABLE_PICTURES[] = {
 	    "sweep and response show a screened fraction. Marks and dashes "
 	    "distinguish the lines, with and without colour. charset=auto "
 	    "draws with braille dots on a UTF-8 terminal, otherwise with ASCII "
-	    "characters. A figure has the same ticks and lines. > FILE.csv and "
-	    ".json get the numbers, .txt the text.",
+	    "characters. A figure has the same ticks and lines, and letters of "
+	    "6 to 11 points. 'set figure_mm 85' makes all figures as wide as "
+	    "a column of a journal, 170 as wide as its page; below 209 the "
+	    "legend is below the plot. width= and height= are those of text. "
+	    "> FILE.csv and .json get the numbers, .txt the text.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "plot psd speed=74 at=2",

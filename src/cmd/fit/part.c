@@ -201,9 +201,9 @@ part_put_collect_fields(struct answer *answer, const struct session *s,
 	    digest, sizeof digest, "%016" PRIx64, digest_of_loaded_sites(s));
 	fields_put_values(o,
 	    "number %zu of %zu loaded %zu sites %s version %s "
-	    "options %s",
+	    "format %zu options %s",
 	    part->number, part->of, s->n_entry, digest, PACKAGE_VERSION,
-	    options);
+	    (size_t)PART_FORMAT, options);
 	struct fields *list = fields_add_list(o, "index");
 	for (size_t i = 0; i < n; i++)
 		fields_put_values(list, "%zu", index[i]);

@@ -40,6 +40,8 @@ const struct command_option SETTINGS[] = {
 	"show long results in the pager"},
     {SETTING("theme", theme, VALUE_CHOICE), "", 0, 0, "normal dark light",
 	"normal", "colours"},
+    {SETTING("figure_mm", figure_mm, VALUE_NUMBER), "mm", 60, 500, NULL, "209",
+	"width of plots in image files"},
     {SETTING("feed", feed, VALUE_FEED), "m/s", 1, SITE_FASTEST, NULL, "mean",
 	"feed that answers assume: mean, or one named as in feed="},
     {SETTING("slider", slider, VALUE_NUMBERS), "m/s", 1, SITE_FASTEST, "usual",
@@ -99,7 +101,7 @@ const struct command TABLE_MODEL[] = {
 		"Appearance functions other than ratio work only with classes. "
 		"The themes dark and light have high contrast. Another "
 		"draw_seed shows how much answers and bands depend on chance.",
-	.example = "set method classes\nset",
+	.example = "set method classes",
 	.run = cmd_set},
     {.name = "seed",
 	.alias = "set seed",

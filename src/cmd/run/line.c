@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/xalloc.h"
+#include "cmd/session/call_paths.h"
 #include "cmd/session/energies.h"
 #include "cmd/session/files.h"
 #include "cmd/fit/job.h"
@@ -110,6 +111,21 @@ join_words_to_file_name(struct words *words)
 		words_replace_by_one(words, 1, n - 1, whole);
 }
 
+/* Parses the words.  In a script, relative names of files to read are those
+ * beside it, if they are there. */
+static const struct command *
+parse_call_of_script(struct session *s, struct words *words, struct place place,
+    struct args *args, struct error *error)
+{
+	const struct command *command = parse_call(words, place, args, error);
+	FREED char *folder = script_other_folder(s, place.file);
+	if (command == NULL || folder == NULL ||
+	    !call_paths_find_in_folder(args, words, folder))
+		return command;
+	args_free(args);
+	return parse_call(words, place, args, error);
+}
+
 static bool
 run_command_words(struct session *s, struct words *words, struct place place,
     struct error *error)
@@ -118,7 +134,8 @@ run_command_words(struct session *s, struct words *words, struct place place,
 	join_words_to_file_name(words);
 	if (!speeds_convert_from_rpm(s, words, place, error))
 		return false;
-	const struct command *command = parse_call(words, place, &args, error);
+	const struct command *command =
+	    parse_call_of_script(s, words, place, &args, error);
 	bool ok = command != NULL &&
 		  (!(command->flags & COMMAND_NEEDS_SITE) ||
 		      session_require_site(s, command->name, error)) &&

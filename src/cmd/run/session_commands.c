@@ -243,12 +243,19 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
+/* A script to write, and its folder without links, or NULL. */
+struct saved_script {
+	const struct session *session;
+	const char *folder;
+};
+
 static void
 print_script_with_heading(const void *data, FILE *out)
 {
+	const struct saved_script *script = data;
 	fprintf(out, "# A session of tipspeed %s, written by 'save'.\n",
 	    PACKAGE_VERSION);
-	journal_write_script(data, out);
+	journal_write_script(script->session, script->folder, out);
 }
 
 /* True if the script may be written: the file that this session was saved to
@@ -270,10 +277,12 @@ static bool
 save_session_as(struct session *s, const struct args *args, const char *path,
     struct error *error)
 {
+	FREED char *folder = file_real_folder(path);
+	const struct saved_script script = {s, folder};
 	if (!may_overwrite_script(s, args, path, error) ||
 	    !journal_can_be_saved(s, error) ||
 	    !file_replace_by_output(
-		path, FILE_SHARED, print_script_with_heading, s, error))
+		path, FILE_SHARED, print_script_with_heading, &script, error))
 		return false;
 	files_set_session_script(s, path, true);
 	s->invocation->saved = true;

@@ -46,7 +46,7 @@ write_session_script(const void *data, FILE *out)
 	    "# %zu command%s%s\n# A session of tipspeed %s that was not "
 	    "saved.\n",
 	    n, n == 1 ? "" : "s", name, PACKAGE_VERSION);
-	journal_write_script(s, out);
+	journal_write_script(s, NULL, out);
 }
 
 /* Returns "4 commands, tierp" as the file has it, in the language of texts. */

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/journal.h"
 
-#include <ctype.h>
 #include <inttypes.h>
+#include <limits.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,8 +11,9 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/session/call_paths.h"
 #include "cmd/session/settings.h"
-#include "io/formats/standards.h"
+#include "io/fs/file.h"
 
 struct journal {
 	size_t n, start;
@@ -151,15 +152,31 @@ journal_append_word(char **line, const char *word)
 	xappend(line, " %s", plain ? word : quoted);
 }
 
-/* Appends a path as an absolute one; does not resolve links. */
-static void
-append_absolute_path(char **word, const char *path)
+/* Stands before each path in a line, so that a script in a folder above it can
+ * have it relative to that folder. */
+enum { PATH_BEGINS = '\1' };
+
+/* Returns the path as an absolute one after PATH_BEGINS.  Does not resolve
+ * links, unless it leads out of a folder, which another one may lead to. */
+static char *
+absolute_path(const char *path, const void *unused)
 {
-	char folder[4096];
-	bool rooted = path[0] == '/' || getcwd(folder, sizeof folder) == NULL;
+	(void)unused;
+	char folder[PATH_MAX];
 	while (strncmp(path, "./", 2) == 0)
 		path += 2;
-	xappend(word, "%s%s%s", rooted ? "" : folder, rooted ? "" : "/", path);
+	const char *name = file_name_without_folders(path);
+	/* The name of a shipped file, such as vsi-69. */
+	if (name == path && !call_path_exists(path))
+		return xstrdup(path);
+	FREED char *real = strstr(path, "../") != NULL && name > path
+			       ? file_real_folder(path)
+			       : NULL;
+	if (real != NULL)
+		return xasprintf("%c%s/%s", PATH_BEGINS, real, name);
+	bool rooted = path[0] == '/' || getcwd(folder, sizeof folder) == NULL;
+	return xasprintf("%c%s%s%s", PATH_BEGINS, rooted ? "" : folder,
+	    rooted ? "" : "/", path);
 }
 
 /* Appends a path, or each path of a blend of feeds, as option `key` unless that
@@ -167,16 +184,9 @@ append_absolute_path(char **word, const char *path)
 static void
 append_path_of_option(char **line, const char *key, const char *path)
 {
-	FREED char *whole = key != NULL ? xasprintf("%s=", key) : xstrdup("");
-	for (const char *at = path, *next; at != NULL; at = next) {
-		size_t length;
-		double share;
-		next = value_parse_blend_feed(at, &length, &share);
-		FREED char *one = xstrndup(at, length);
-		append_absolute_path(&whole, one);
-		size_t rest = next != NULL ? (size_t)(next - at) : strlen(at);
-		xappend(&whole, "%.*s", (int)(rest - length), at + length);
-	}
+	FREED char *paths = call_paths_map(path, absolute_path, NULL);
+	FREED char *whole =
+	    key != NULL ? xasprintf("%s=%s", key, paths) : xstrdup(paths);
 	journal_append_word(line, whole);
 }
 
@@ -198,40 +208,6 @@ journal_add_file_check(
 		append_journal_line(j, line);
 }
 
-/* Returns the index of the option whose value is the word or the text after its
- * "=", or OPTIONS. */
-static size_t
-find_option_with_value(const struct args *args, const char *word)
-{
-	const char *equals = strchr(word, '=');
-	const char *end = equals != NULL ? equals + 1 : word;
-	size_t i = 0;
-	while (i < OPTIONS && args->value[i].text != word &&
-	       args->value[i].text != end)
-		i++;
-	return i;
-}
-
-/* True if the word is an operand and a path. */
-static bool
-is_path_operand(const struct args *args, const char *word)
-{
-	size_t i = 0, which;
-	while (i < args->n_operand && args->operand[i] != word)
-		i++;
-	if (i == args->n_operand)
-		return false;
-	const char *verbs = args->command->operands.expect[0];
-	bool verb = i == 0 && islower((unsigned char)word[0]) &&
-		    verbs != NULL &&
-		    text_find_word_in_list(verbs, word, &which);
-	if (args->command->flags & COMMAND_FILES)
-		return !verb;
-	return (args->command->flags & COMMAND_SPEC) &&
-	       !text_find_word_in_list("use list off", word, &which) &&
-	       standards_is_file_path(word);
-}
-
 /* True if a saved script leaves the option out: pause=, which is added at the
  * end, and out=, because by then its sheet exists. */
 static bool
@@ -245,21 +221,14 @@ journal_call_as_saved(const struct args *args, const struct words *words)
 {
 	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
-		const char *word = words->text[i], *value = word;
-		size_t k = find_option_with_value(args, word);
-		const struct command_option *o =
-		    k < OPTIONS ? command_option_at(args->command, k) : NULL;
+		const char *word = words->text[i];
+		const struct command_option *o;
+		const char *path = call_path_in_word(args, word, &o);
 		if (o != NULL && is_option_not_saved(o))
 			continue;
-		if (o != NULL)
-			value = args->value[k].text;
-		bool path = o == NULL ? is_path_operand(args, word)
-				      : value_is_file(o, &args->value[k]) ||
-					    (o->kind == VALUE_SPEC &&
-						standards_is_file_path(value));
-		if (path)
+		if (path != NULL)
 			append_path_of_option(
-			    &line, value != word ? o->name : NULL, value);
+			    &line, path != word ? o->name : NULL, path);
 		else
 			journal_append_word(&line, word);
 	}
@@ -328,15 +297,40 @@ write_script_provenance(FILE *out, const struct site *site)
 	fputc('\n', out);
 }
 
+/* Writes a line.  folder, unless NULL: paths in it, or below it, are written
+ * relative to it. */
+static void
+write_journal_line(const char *line, const char *folder, FILE *out)
+{
+	FREED char *quoted = folder != NULL ? text_in_quotes(folder) : NULL;
+	size_t n = folder != NULL ? strlen(quoted) - 2 : 0;
+	for (const char *p = line; *p != '\0'; p++) {
+		if (*p != PATH_BEGINS) {
+			fputc(*p, out);
+			continue;
+		}
+		if (folder == NULL || strncmp(p + 1, quoted + 1, n) != 0 ||
+		    p[1 + n] != '/')
+			continue;
+		p += n + 1;
+		/* A bare word may have another meaning than a file. */
+		size_t name = strcspn(p + 1, " \"+*@=");
+		if (memchr(p + 1, '.', name) == NULL &&
+		    memchr(p + 1, '/', name) == NULL)
+			fputs("./", out);
+	}
+	fputc('\n', out);
+}
+
 void
-journal_write_script(const struct session *s, FILE *out)
+journal_write_script(const struct session *s, const char *folder, FILE *out)
 {
 	const struct journal *j = s->journal;
 	fputs("# A site file whose numbers have changed is refused.\n", out);
 	for (size_t i = 0; i < s->n_entry; i++)
 		write_script_provenance(out, s->entry[i].site);
 	for (size_t i = j->start; i < j->n; i++)
-		fprintf(out, "%s\n", j->line[i]);
+		write_journal_line(j->line[i], folder, out);
 }
 
 bool

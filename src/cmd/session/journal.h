@@ -79,8 +79,11 @@ char *journal_call_as_typed(
  * cannot contain. */
 bool journal_can_be_saved(const struct session *s, struct error *error);
 
-/* Prints the session as a script, without its heading. */
-void journal_write_script(const struct session *s, FILE *out);
+/* Prints the session as a script, without its heading.  folder: that of the
+ * script, as a path without links; files in it, or below it, are named relative
+ * to it.  NULL: all are named by absolute paths. */
+void journal_write_script(
+    const struct session *s, const char *folder, FILE *out);
 
 struct journal *journal_new(void);
 void journal_free(struct journal *journal);

@@ -11,6 +11,7 @@
 #include "cmd/session/files.h"
 #include "cmd/lang/table.h"
 #include "io/cells/textfile.h"
+#include "io/fs/file.h"
 
 struct script {
 	struct script *outer;
@@ -198,6 +199,17 @@ script_read_line(struct session *s, struct place *place, struct error *error)
 	else if (line != NULL)
 		script->at.at += is_line_with_command(line);
 	return line;
+}
+
+char *
+script_other_folder(const struct session *s, const char *file)
+{
+	const struct script *script = s->script;
+	if (script == NULL || script->borrowed || script->text != NULL ||
+	    strcmp(script->name, file) != 0)
+		return NULL;
+	size_t n = (size_t)(file_name_without_folders(file) - file);
+	return n > 1 ? xstrndup(file, n - 1) : NULL;
 }
 
 struct script_place

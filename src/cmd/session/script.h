@@ -25,6 +25,11 @@ void script_open_text(
 char *script_read_line(
     struct session *s, struct place *place, struct error *error);
 
+/* Returns the folder of the innermost script, if its name is `file` and it is a
+ * file in another folder than the working one; else NULL.  The caller frees
+ * it. */
+char *script_other_folder(const struct session *s, const char *file);
+
 /* Where the innermost script is: its last line read was command `at` of `of`;
  * `of` is 0 if that is not known, as for a stream. */
 struct script_place {

@@ -35,6 +35,7 @@ struct settings {
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */
 	unsigned theme;     /* enum theme */
+	double figure_mm;   /* width of plots in image files */
 	unsigned unpaged;   /* 0: a prompt shows tall results in a pager */
 	bool timing;        /* print how long each command took */
 	/* The conditions on the product (goals.h), and the quantity that the

@@ -31,9 +31,12 @@ const struct command TABLE_SESSION[] = {
 	    "without those that were undone. Of consecutive predictions only "
 	    "the last is kept; results that went to a file or a shell command "
 	    "are left out, and so are assertions and help. The script gives "
-	    "identical results anywhere, as long as the site files are in the "
-	    "same place and the store has the recalled materials: a site file "
-	    "or a material with other numbers is refused. Results are saved "
+	    "identical results anywhere, as long as it finds the site files "
+	    "and "
+	    "the store has the recalled materials: a site file or a material "
+	    "with other numbers is refused. Files in the folder of the script, "
+	    "or below it, are named relative to it, so that the folder can be "
+	    "moved or given away. Results are saved "
 	    "with > FILE after a command, not with save. A name without an "
 	    "ending gets .tip. A file that this session was saved to before "
 	    "is saved again without replace=on.",
@@ -63,10 +66,12 @@ const struct command TABLE_SESSION[] = {
 	.brief = "run a script",
 	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_CHANGES | COMMAND_FILES | COMMAND_UNSAVED,
-	.text = "Runs the commands in FILE, which may source others, up to 16 "
-		"deep. The first error ends all of them; a prompt continues. "
-		"File names are relative to the working folder, not to the "
-		"folder of the script.",
+	.text =
+	    "Runs the commands in FILE, which may source others, up to 16 "
+	    "deep. The first error ends all of them; a prompt continues. "
+	    "Relative names of files to read are looked up in the folder of "
+	    "the script, then in the working folder, in which results are "
+	    "written.",
 	.example = "source data/sessions/tierp.tip",
 	.run = cmd_source},
     {.name = "echo",

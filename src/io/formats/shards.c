@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "config.h"
 
 /* What commands write: the keys of their rows' source and remark, if they have
  * one, and of the n numbers; without keys these are the list "numbers". */
@@ -36,10 +37,8 @@ read_row_of_part(json_t *o, const json_t *index, const struct kind *kind,
     struct part_row *row)
 {
 	const json_t *list = json_object_get(o, "numbers");
-	/* Parts of calibrate had no source at first. */
-	row->source = "provenance not stated";
 	if (!json_is_integer(index) ||
-	    json_unpack(o, "{s:s, s?s}", "site", &row->site, kind->source,
+	    json_unpack(o, "{s:s, s:s}", "site", &row->site, kind->source,
 		&row->source) != 0)
 		return false;
 	row->remark = NULL;
@@ -57,6 +56,22 @@ read_row_of_part(json_t *o, const json_t *index, const struct kind *kind,
 						     : json_number_value(value);
 	}
 	return true;
+}
+
+/* Refuses a part that a build with another format wrote, before its numbers are
+ * read.  Parts had no format at first, which counts as 0. */
+static bool
+check_part_format(const struct part_file *part, struct error *error)
+{
+	const json_t *o = json_object_get(part->json, "part");
+	json_int_t format = json_integer_value(json_object_get(o, "format"));
+	const char *version = json_string_value(json_object_get(o, "version"));
+	return version == NULL || format == PART_FORMAT ||
+	       error_at(error, ERROR_DATA, part->path, 0, 0,
+		   "tipspeed %s wrote this part in format %lld, but this build "
+		   "(%s) reads format %d\n"
+		   "make all parts, and collect them, with the same build",
+		   version, (long long)format, PACKAGE_VERSION, PART_FORMAT);
 }
 
 static bool
@@ -115,6 +130,10 @@ parts_read_file(const char *path, struct parts *parts, struct error *error)
 		    xrealloc(parts->part, parts->n + 1, sizeof *parts->part);
 		struct part_file *part = &parts->part[parts->n++];
 		*part = (struct part_file){.json = o, .path = path};
+		if (!check_part_format(part, error)) {
+			fclose(in);
+			return false;
+		}
 		good = read_part_from_json(part, parts);
 	}
 	/* Only a line end may follow the last part. */

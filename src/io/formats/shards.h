@@ -8,6 +8,10 @@
 
 #include "base/error.h"
 
+/* The format of the parts.  Raise it when a key or a number of theirs, or the
+ * meaning of one, changes: parts of other formats are refused. */
+enum { PART_FORMAT = 1 };
+
 /* A row of a part: a site or one of its runs.  index: of the site among all;
  * order: of reading.  source: of the site's data; remark: of a calibration, or
  * NULL; number: the other columns, NAN if empty. */
@@ -34,7 +38,8 @@ struct parts {
 	struct part_row *row;
 };
 
-/* Adds the parts in a file, one on each line. */
+/* Adds the parts in a file, one on each line.  Returns false if the file cannot
+ * be read or if a part has another format than PART_FORMAT. */
 bool parts_read_file(
     const char *path, struct parts *parts, struct error *error);
 void parts_free(struct parts *parts);

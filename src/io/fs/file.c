@@ -5,6 +5,7 @@
  * lock belongs to a writer that was killed, and can be removed.  Its name is
  * random, because process numbers recur, especially in containers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "io/fs/file.h"
 
 #include <dirent.h>
@@ -31,6 +32,14 @@ report_cannot_write(const char *path, int reason, struct error *error)
 	    "cannot write %s: %s\n"
 	    "check the folder, its permissions and the free space",
 	    path, strerror(reason));
+}
+
+char *
+file_real_folder(const char *path)
+{
+	size_t n = (size_t)(file_name_without_folders(path) - path);
+	FREED char *folder = n > 0 ? xstrndup(path, n) : xstrdup(".");
+	return realpath(folder, NULL);
 }
 
 const char *

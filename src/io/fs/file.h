@@ -38,6 +38,10 @@ bool file_append_bytes(const char *path, enum file_rights rights,
 /* Returns the part of a path after its folders; borrowed. */
 const char *file_name_without_folders(const char *path);
 
+/* Returns the folder of a file as an absolute path without links, or NULL if
+ * there is no such folder.  The caller frees it. */
+char *file_real_folder(const char *path);
+
 /* True if a file's name ends like that of a sheet: .csv, .xlsx and so on. */
 bool file_has_sheet_ending(const char *path);
 

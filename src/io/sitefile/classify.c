@@ -520,6 +520,19 @@ read_quantity_from_words(struct column *c, const struct shape *s, double total,
 	       !(*kind == RETAINED && *scale == OF_100 && falls);
 }
 
+/* True if rows "-16 mm", "-11.2 mm" have the masses from each size down to the
+ * next, and the last row what passes the finest: there is no pan, and
+ * percentages or fractions sum to the whole. */
+static bool
+has_masses_down_to_next_size(const struct column *c, const struct shape *s)
+{
+	const struct site_unit *unit = &SITE_UNITS[c->unit];
+	bool whole = unit->scale == OF_MASS ||
+		     is_within_percent(s->sum, unit->most, 1.05);
+	return c->table->below && unit->kind == RETAINED && !s->has_pan &&
+	       whole;
+}
+
 static void
 find_unit_of_column(struct column *c, bool told)
 {
@@ -531,6 +544,7 @@ find_unit_of_column(struct column *c, bool told)
 	    is_unit_defined_by_heading(c, &s, told, &c->unit)) {
 		if (told)
 			refuse_small_percentages(c, &s);
+		c->to_next = has_masses_down_to_next_size(c, &s);
 		return;
 	}
 	enum unit_kind kind;
@@ -548,9 +562,12 @@ find_unit_of_column(struct column *c, bool told)
 	bool usual = words || (kind == PASSING && scale == OF_100);
 	if (!title && (!usual || (c->said.means & SCALE_WORDS) == 0))
 		assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
+	c->to_next = has_masses_down_to_next_size(c, &s);
+	if (c->to_next)
+		assume(c, "from the size of each row down to the next");
 	c->open = c->open || !sure ||
 		  (has_size_classes(c->table) && kind != RETAINED) ||
-		  (c->table->below && kind != PASSING);
+		  (c->table->below && kind != PASSING && !c->to_next);
 }
 
 /* Returns the number without a unit that can be a tip speed in m/s: 63.6, but

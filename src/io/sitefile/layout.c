@@ -47,14 +47,16 @@ struct place {
 
 /* A sheet as a grid.  at, nature [n_row * n_col]: its cells, and what they can
  * be.  In these arrays a row is `down` after the one above, and a column
- * `right` after the one before, so the transposed grid shares them.  gap
+ * `right` after the one before, so the transposed grid shares them.
+ * bare_below: the first column has sizes -16, -11.2, below which material
+ * passes.  gap
  * [n_row]: there is an empty line above the row.  number [n_row * n_col], row
  * by row: the first column, from this one on, that has a number, or n_col.  phi
  * [n_col]: the sizes of the column are in phi.  place [n_place]: the tables
  * found. */
 struct sheet_grid {
 	struct sheet *sheet;
-	bool across;
+	bool across, bare_below;
 	size_t n_row, n_col, down, right;
 	struct cell *at;
 	struct nature *nature;
@@ -230,6 +232,15 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 	return g;
 }
 
+/* True for "Out" and "Ut 70 m/s". */
+static bool
+begins_with_out(const char *text)
+{
+	size_t n = strcspn(text, " ");
+	return (n == 3 && strncasecmp(text, "out", n) == 0) ||
+	       (n == 2 && strncasecmp(text, "ut", n) == 0);
+}
+
 /* Changes "In" to "feed" if there is an "Out" beside it; otherwise it means
  * inch. */
 static void
@@ -238,30 +249,86 @@ mark_in_beside_out_as_feed(struct sheet_grid *g)
 	static char feed[] = "feed";
 	for (size_t r = 0; r < g->n_row; r++) {
 		bool out = false;
-		for (size_t c = 0; c < g->n_col; c++) {
-			const char *text = cell_at(g, r, c)->text;
-			out = out || strcasecmp(text, "out") == 0 ||
-			      strcasecmp(text, "ut") == 0;
-		}
+		for (size_t c = 0; c < g->n_col; c++)
+			out = out || begins_with_out(cell_at(g, r, c)->text);
 		for (size_t c = 0; c < g->n_col && out; c++)
 			if (strcasecmp(cell_at(g, r, c)->text, "in") == 0)
 				cell_at(g, r, c)->text = feed;
 	}
 }
 
-/* Returns the size in "< 16" or "-16 mm", below which material passes a sieve,
- * or NULL.  -2 is not one, as it may be in phi, nor -16+11.2 mm, which is a
- * class. */
-static char *
-size_after_less_sign(const struct cell *cell)
+/* True if a number can be a size in phi, which is stated in quarters. */
+static bool
+can_be_phi(double v)
 {
+	return 4 * v == floor(4 * v) && fabs(v) <= SIEVE_MOST_PHI;
+}
+
+/* True if the first column has -16, -11.2, -8, without a unit, for what passes
+ * these sieves: all its numbers are below 0, but for a 16 or +16 beside -16,
+ * and the sizes of sieves, and some cannot be in phi. */
+static bool
+has_bare_sizes_below(const struct sheet_grid *g)
+{
+	enum { LEAST = 3 };
+	double v, last = NAN, next;
+	size_t below = 0, above = 0, odd = 0;
+	for (size_t r = 0; r < g->n_row; r++) {
+		if (!number_value_of_cell(*cell_at(g, r, 0), &v))
+			continue;
+		bool more = r + 1 < g->n_row &&
+			    number_value_of_cell(*cell_at(g, r + 1, 0), &next);
+		if (v > 0 && v != -last && !(more && v == -next))
+			return false;
+		if (!sieve_is_standard(fabs(v)))
+			return false;
+		below += v < 0;
+		above += v > 0;
+		odd += !can_be_phi(v);
+		last = v;
+	}
+	return below >= LEAST && above <= 1 && odd > 0;
+}
+
+/* Returns the size in "< 16" or "-16 mm", below which material passes a sieve,
+ * or NULL.  -2 is not one, as it may be in phi, unless the first column has
+ * such sizes; nor is -16+11.2 mm, which is a class. */
+static char *
+size_after_less_sign(const struct sheet_grid *g, size_t r, size_t c)
+{
+	static const char LESS[] = "<", OR_EQUAL[] = "\xE2\x89\xA4";
+	const struct cell *cell = cell_at(g, r, c);
 	const char *text = cell->text;
+	bool first = g->bare_below && c == 0;
 	bool minus = text[0] == '-' && strpbrk(text + 1, "-+/") == NULL &&
-		     (lexicon_meanings(text, NULL) & (WORD_MM | WORD_UM)) != 0;
-	if (cell->kind != CELL_TEXT || (text[0] != '<' && !minus))
+		     (first || (lexicon_meanings(text, NULL) &
+				   (WORD_MM | WORD_UM)) != 0);
+	size_t n = minus                                    ? 1
+		   : strncmp(text, LESS, strlen(LESS)) == 0 ? strlen(LESS)
+		   : strncmp(text, OR_EQUAL, strlen(OR_EQUAL)) == 0
+		       ? strlen(OR_EQUAL)
+		       : 0;
+	if (n == 0 || (cell->kind != CELL_TEXT && !(minus && first)))
 		return NULL;
-	char *size = cell->text + 1 + strspn(text + 1, " =");
+	char *size = cell->text + n + strspn(text + n, " =");
 	return isdigit((unsigned char)size[0]) ? size : NULL;
+}
+
+/* Returns the size in "+16", "> 16 mm" or ">= 16", which material is above, or
+ * NULL.  A number in the first column is one if the others there are below
+ * theirs. */
+static const char *
+size_after_greater_sign(const struct sheet_grid *g, size_t r, size_t c)
+{
+	const struct cell *cell = cell_at(g, r, c);
+	const char *text = cell->text;
+	double v;
+	if (text[0] == '>' || text[0] == '+')
+		return text + 1 + strspn(text + 1, " =");
+	return g->bare_below && c == 0 && number_value_of_cell(*cell, &v) &&
+		       v > 0
+		   ? text
+		   : NULL;
 }
 
 /* The sizes written "< 16" in a line or column: how many of them differ from
@@ -278,6 +345,51 @@ count_distinct_size_below(struct sizes_below *below, const char *size)
 	below->last = size;
 }
 
+/* Below or above "+16", gives "-16", "-11.2", "-8" the names of the sieves on
+ * which these classes stayed: 11.2, 8, and for the last one the pan's, which it
+ * has.  r, c: the cell of "-16"; step: from it to the next class, 1 or -1; in a
+ * line if across. */
+static void
+name_classes_by_lower_size(
+    struct sheet_grid *g, size_t r, size_t c, int step, bool across)
+{
+	struct cell *cell = cell_at(g, r, c);
+	for (;;) {
+		size_t at = (across ? c : r) + (size_t)step;
+		if (at >= (across ? g->n_col : g->n_row))
+			return;
+		r = across ? r : at;
+		c = across ? at : c;
+		char *size = size_after_less_sign(g, r, c);
+		if (size == NULL)
+			return;
+		*cell = number_cell_with_text(g->sheet, *cell, size);
+		cell = cell_at(g, r, c);
+	}
+}
+
+/* Finds "-16" beside "+16", of the same size, so that these are classes. */
+static void
+name_classes_beside_greatest(struct sheet_grid *g)
+{
+	for (size_t r = 0; r < g->n_row; r++)
+		for (size_t c = 0; c < g->n_col; c++) {
+			const char *above = size_after_greater_sign(g, r, c);
+			for (int i = 0; i < 4 && above != NULL; i++) {
+				int step = i % 2 ? -1 : 1;
+				size_t y = r + (size_t)(i < 2 ? step : 0);
+				size_t x = c + (size_t)(i < 2 ? 0 : step);
+				if (y >= g->n_row || x >= g->n_col)
+					continue;
+				const char *below =
+				    size_after_less_sign(g, y, x);
+				if (below != NULL && strcmp(above, below) == 0)
+					name_classes_by_lower_size(
+					    g, y, x, step, i >= 2);
+			}
+		}
+}
+
 /* Takes "< 16", "< 11.2", "< 8" in one line or column for sieves, and the
  * numbers there for what passes them.  "< 16" alone, or again and again in a
  * long table, is the pan. */
@@ -289,7 +401,7 @@ mark_sizes_below_as_sieves(struct sheet_grid *g)
 	FREED struct sizes_below *col = xcalloc(g->n_col + 1, sizeof *col);
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			char *size = size_after_less_sign(cell_at(g, r, c));
+			char *size = size_after_less_sign(g, r, c);
 			if (size == NULL)
 				continue;
 			count_distinct_size_below(&row[r], size);
@@ -298,7 +410,7 @@ mark_sizes_below_as_sieves(struct sheet_grid *g)
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
 			struct cell *cell = cell_at(g, r, c);
-			char *size = size_after_less_sign(cell);
+			char *size = size_after_less_sign(g, r, c);
 			if (size == NULL ||
 			    (row[r].n < LEAST && col[c].n < LEAST))
 				continue;
@@ -1259,6 +1371,8 @@ layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 	struct sheet_grid g = copy_sheet_to_grid(sheet, range);
 	shift_headings_by_one(&g);
 	mark_in_beside_out_as_feed(&g);
+	g.bare_below = has_bare_sizes_below(&g);
+	name_classes_beside_greatest(&g);
 	mark_sizes_below_as_sieves(&g);
 	fill_cell_natures(&g);
 	find_next_number_beside_cells(&g);

@@ -22,7 +22,9 @@ static const struct {
 } WORDS[] = {
     {WORD_FEED,
 	"feed infeed headfeed inlet input before ingaende inmatning inmatat "
-	"pamatning padrag matning fore aufgabe aufgabegut "
+	"pamatning padrag matning fore ragods ramaterial ravara ingods "
+	"okrossat utgangsmaterial ursprungsmaterial originalprov aufgabe "
+	"aufgabegut "
 	"aufgabematerial zulauf beschickung vorher alimentation entree avant "
 	"alimentacion entrada antes alimentacao syote syotto ennen pagang "
 	"nadawa nadawy "
@@ -30,7 +32,9 @@ static const struct {
 	"alimentazione ingang voeding питание исходное исходный 给料 进料"},
     {WORD_PRODUCT,
 	"product products prod produkt produkte produkter krossprodukt "
-	"utgaende ut out output outlet discharge after crushed krossat krossad "
+	"utgaende utgods utmatning utmatat krossgods fardig fardigvara "
+	"slutprodukt ut out output outlet discharge after crushed krossat "
+	"krossad "
 	"efter "
 	"austrag brechgut endprodukt nachher produit produits sortie apres "
 	"concasse broye producto productos salida triturado despues produto "
@@ -79,7 +83,8 @@ static const struct {
     {WORD_SIZE,
 	"size sizes sieve sieves sievesize aperture apertures opening "
 	"openings screen screens particle grain diameter sikt siktar "
-	"siktstorlek maskvidd storlek kornstorlek sieb siebe siebweite "
+	"siktstorlek siktvidd maskvidd maskstorlek storlek kornstorlek sieb "
+	"siebe siebweite "
 	"sieboffnung siebgrosse siebgro\xC3\x9F"
 	"e maschenweite korngrosse "
 	"korngro\xC3\x9F"
@@ -114,14 +119,16 @@ static const struct {
 			    "obroty obrotow kierrosluku omdrejningstal"
 			    " turtall "
 			    "giri toerental 转速"},
-    {WORD_ROTOR, "rotor rotorn rotors wirnik wirnika rotora roottori roottorin "
-		 "rotore ротор ротора 转子"},
+    {WORD_ROTOR,
+	"rotor rotorn rotorns rotors wirnik wirnika rotora roottori roottorin "
+	"rotore ротор ротора 转子"},
     {WORD_ROTOR | WORD_SIZE,
 	"rotordiameter rotordurchmesser rotordiam rotorhalkaisija"},
     {WORD_LIMIT,
 	"min max minimum maximum spec specs specification limit limits lower "
 	"upper envelope krav grans undre ovre grenzwert grenze soll sollwert "
-	"target limite limites minimo maximo raja alaraja ylaraja vaatimus "
+	"target granskurva gransvarde limite limites minimo maximo raja "
+	"alaraja ylaraja vaatimus "
 	"norm norma norme unter ober"},
     {WORD_OTHER,
 	"remark remarks note notes comment comments anm anmarkning "

@@ -283,15 +283,23 @@ sieve_unit_from_words(uint64_t means)
 static const double LEAST_PHI = 0.25;
 
 /* True for a name of what is below the finest sieve, in several languages: pan,
- * Botten, <0.063. */
+ * Botten, <0.063, -0.063 mm. */
 static bool
-is_pan_name(const char *text)
+is_pan_name(const struct cell *cell)
 {
+	const char *text = cell->text;
 	size_t unknown;
-	double below;
-	/* -0.063 means below that sieve, but -0.5 may be phi. */
-	if (text[0] == '-' && text_parse_number(text + 1, &below))
-		return below > 0 && below < LEAST_PHI;
+	double v;
+	/* -0.063 means below that sieve, but -0.5 may be phi, which has no
+	 * unit. */
+	if (number_value_of_cell(*cell, &v) && v < 0)
+		return v > -LEAST_PHI;
+	if (text[0] == '-' && isdigit((unsigned char)text[1])) {
+		const char *rest = text + 1 + strspn(text + 1, "0123456789.,");
+		uint64_t unit = lexicon_meanings(rest, &unknown);
+		return (unit & (WORD_MM | WORD_UM)) != 0 && unknown == 0 &&
+		       strpbrk(rest, "0123456789/") == NULL;
+	}
 	if (text[0] == '<') {
 		const char *rest = text + 1 + strspn(text + 1, " ");
 		return isdigit((unsigned char)rest[0]) ||
@@ -329,39 +337,6 @@ sieve_size_cut_unit(
 	return unit.mm;
 }
 
-/* Makes a cell the lower of the two sizes of a class, "11,2/16", "11,2 - 16" or
- * "-16 +11.2", or the size in "> 22,4" or "+22.4".  *upper gets the other size,
- * or 0.  Returns false if the cell is not a class. */
-static bool
-cut_class_to_one_size(const struct sheet *sheet, struct cell *cell,
-    char copy[static 40], double *upper)
-{
-	size_t n = strlen(cell->text);
-	*upper = 0;
-	if (cell->kind != CELL_TEXT || n >= 40)
-		return false;
-	memcpy(copy, cell->text, n + 1);
-	char sign = copy[0];
-	bool signs = sign == '+' || sign == '-';
-	char *first = copy + (signs ? 1 : strspn(copy, "> "));
-	char *cut = strpbrk(first, signs ? "+-" : "/-");
-	if (cut == NULL && first > copy && sign != '-') {
-		*cell = number_cell_with_text(sheet, *cell, first);
-		return cell->value == AS_NUMBER;
-	}
-	if (cut == NULL || cut == first || cut[0] == sign)
-		return false;
-	*cut = '\0';
-	struct cell a = number_cell_with_text(sheet, *cell, text_trim(first)),
-		    b = number_cell_with_text(sheet, *cell, text_trim(cut + 1));
-	if (a.value != AS_NUMBER || b.value != AS_NUMBER ||
-	    a.number == b.number)
-		return false;
-	*upper = fmax(a.number, b.number);
-	*cell = a.number < b.number ? a : b;
-	return true;
-}
-
 /* Converts a size to mm, rounded to 9 decimals.  unit: mm; 0 means 1 mm. */
 static double
 mm_of_value_in_unit(double value, double unit)
@@ -369,23 +344,76 @@ mm_of_value_in_unit(double value, double unit)
 	return round(value * (unit > 0 ? unit : 1) * 1e9) / 1e9;
 }
 
+/* Reads one end of a class, but not of one in inches, because 3/8 in is a
+ * sieve.  *own gets the length of its unit, mm, or 0 if it has none. */
+static bool
+read_end_of_class(
+    const struct sheet *sheet, char *text, double *value, double *own)
+{
+	char copy[40];
+	struct cell cell =
+	    number_cell_with_text(sheet, (struct cell){0}, text_trim(text));
+	*own = sieve_size_cut_unit(sheet, &cell, copy);
+	return *own <= 1 && number_value_of_cell(cell, value);
+}
+
+/* Reads a class between two sizes, "11,2/16", "11,2 - 16 mm" or "-16 +11.2", or
+ * above one, "> 22,4" or "+22.4".  lower, upper: in mm; upper is 0 for a class
+ * above a size.  unit: of sizes without one, mm, or 0 if they need one; a unit
+ * after the second size is also that of the first.  Returns false if the cell
+ * is not a class. */
+static bool
+read_class(const struct sheet *sheet, struct cell cell, double unit,
+    double *lower, double *upper)
+{
+	char copy[40];
+	double a, b, own_a, own_b;
+	size_t n = strlen(cell.text);
+	*lower = *upper = 0;
+	if (cell.kind != CELL_TEXT || n >= sizeof copy)
+		return false;
+	memcpy(copy, cell.text, n + 1);
+	char sign = copy[0];
+	bool signs = sign == '+' || sign == '-';
+	char *first = copy + (signs ? 1 : strspn(copy, "> "));
+	char *cut = strpbrk(first, signs ? "+-" : "/-");
+	if (cut == NULL && first > copy && sign != '-') {
+		if (!read_end_of_class(sheet, first, &a, &own_a))
+			return false;
+		own_a = own_a > 0 ? own_a : unit;
+		*lower = mm_of_value_in_unit(a, own_a);
+		return own_a > 0;
+	}
+	if (cut == NULL || cut == first || cut[0] == sign)
+		return false;
+	*cut = '\0';
+	if (!read_end_of_class(sheet, first, &a, &own_a) ||
+	    !read_end_of_class(sheet, cut + 1, &b, &own_b))
+		return false;
+	own_b = own_b > 0 ? own_b : unit;
+	a = mm_of_value_in_unit(a, own_a > 0 ? own_a : own_b);
+	b = mm_of_value_in_unit(b, own_b);
+	*lower = fmin(a, b);
+	*upper = fmax(a, b);
+	return own_b > 0 && a != b;
+}
+
 bool
 sieve_cell_is_class(const struct sheet *sheet, struct cell cell)
 {
-	char copy[40];
-	double upper;
-	return cut_class_to_one_size(sheet, &cell, copy, &upper);
+	double lower, upper;
+	return read_class(sheet, cell, 1, &lower, &upper);
 }
 
 double
 sieve_upper_mm_of_class(
     const struct sheet *sheet, struct cell cell, struct sieve_unit unit)
 {
-	char copy[40];
-	double upper;
-	bool length = unit.mm > 0 && unit.series == SIEVE_NONE;
-	bool both = length && cut_class_to_one_size(sheet, &cell, copy, &upper);
-	return both ? mm_of_value_in_unit(upper, unit.mm) : 0;
+	double lower, upper;
+	return unit.series == SIEVE_NONE &&
+		       read_class(sheet, cell, unit.mm, &lower, &upper)
+		   ? upper
+		   : 0;
 }
 
 enum sieve_kind
@@ -407,7 +435,7 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 	bool mesh = unit.series != SIEVE_NONE && unit.series != SIEVE_PHI &&
 		    unit.series != SIEVE_INCH && cell.text[0] == '-' &&
 		    sieve_name_mm(cell.text + 1, unit.series) > 0;
-	if (mesh || is_pan_name(cell.text))
+	if (mesh || is_pan_name(&cell))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
 		if (!number_value_of_cell(cell, &value) ||
@@ -421,10 +449,12 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 		*mm = named;
 		return SIEVE_IS_SIZE;
 	}
-	char bounds[40];
-	double upper;
-	if (unit.mm > 0 && unit.series == SIEVE_NONE)
-		cut_class_to_one_size(sheet, &cell, bounds, &upper);
+	double lower, upper;
+	if (unit.series == SIEVE_NONE &&
+	    read_class(sheet, cell, unit.mm, &lower, &upper)) {
+		*mm = lower > 0 ? lower : (double)NAN;
+		return lower > 0 ? SIEVE_IS_SIZE : SIEVE_IS_PAN;
+	}
 	double own = sieve_size_cut_unit(sheet, &cell, copy);
 	if (!number_value_of_cell(cell, &value) || value < 0)
 		return SIEVE_IS_NONE;

@@ -241,6 +241,21 @@ read_column_cells(struct column *c)
 	}
 }
 
+/* Moves the mass of each row, from its size down to the next, to the sieve on
+ * which it stayed, which is that of the next row.  What passes the finest size
+ * is the pan's. */
+static void
+move_masses_to_next_sieve(struct column *c)
+{
+	size_t n = c->table->n_row;
+	if (!c->to_next || n == 0)
+		return;
+	c->pan = c->pct[n - 1];
+	for (size_t i = n - 1; i > 0; i--)
+		c->pct[i] = c->pct[i - 1];
+	c->pct[0] = 0;
+}
+
 /* Sets empty cells and dashes above the first retained amount to 0, as nothing
  * stayed on those sieves. */
 static void
@@ -526,6 +541,7 @@ site_column_read_values(struct column *c)
 	c->pct = xcalloc_doubles(t->n_row);
 	c->pan = NAN;
 	read_column_cells(c);
+	move_masses_to_next_sieve(c);
 	zero_cells_above_first_mass(c);
 	if (c->role != SD) {
 		convert_column_to_passing(c);

@@ -45,7 +45,8 @@ size_t site_unit_index(enum unit_kind kind, enum unit_scale scale);
  * assumption, or NULL.  below: for a feed whose coarsest sieve passes less than
  * 100 %, 1 + the row of that sieve; else 0.  top: the size, mm, that all of the
  * sample passes, if it is assumed or is the upper end of the coarsest class;
- * else 0. */
+ * else 0.  to_next: its masses are those from the size of a row down to that
+ * of the next, as the rows "-16 mm", "-11.2 mm" of a table have them. */
 struct column {
 	struct table *table;
 	struct cell head;
@@ -61,7 +62,7 @@ struct column {
 	double *pct, top;
 	size_t below;
 	double pan;
-	bool faulty, told_percent, open, unlike;
+	bool faulty, told_percent, open, unlike, to_next;
 	char *assumed;
 	const char *whose;
 	struct head said; /* what its headings state */

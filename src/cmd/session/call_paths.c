@@ -1,0 +1,147 @@
+/* Finds the paths in the words of a call by the rows of its command, and looks
+ * for files beside the script that names them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/session/call_paths.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/formats/standards.h"
+
+/* Returns the index of the option whose value is the word or the text after its
+ * "=", or OPTIONS. */
+static size_t
+find_option_with_value(const struct args *args, const char *word)
+{
+	const char *equals = strchr(word, '=');
+	const char *end = equals != NULL ? equals + 1 : word;
+	size_t i = 0;
+	while (i < OPTIONS && args->value[i].text != word &&
+	       args->value[i].text != end)
+		i++;
+	return i;
+}
+
+/* True if the word is an operand and a path. */
+static bool
+is_path_operand(const struct args *args, const char *word)
+{
+	size_t i = 0, which;
+	while (i < args->n_operand && args->operand[i] != word)
+		i++;
+	if (i == args->n_operand)
+		return false;
+	/* "assert feed.csv is 31e87511503a169f" */
+	if (strcmp(args->command->name, "assert") == 0)
+		return i == 0 && args->n_operand > 2 &&
+		       strcmp(args->operand[1], "is") == 0;
+	const char *verbs = args->command->operands.expect[0];
+	bool verb = i == 0 && islower((unsigned char)word[0]) &&
+		    verbs != NULL &&
+		    text_find_word_in_list(verbs, word, &which);
+	if (args->command->flags & COMMAND_FILES)
+		return !verb;
+	return (args->command->flags & COMMAND_SPEC) &&
+	       !text_find_word_in_list("use list off", word, &which) &&
+	       standards_is_file_path(word);
+}
+
+const char *
+call_path_in_word(const struct args *args, const char *word,
+    const struct command_option **option)
+{
+	size_t k = find_option_with_value(args, word);
+	*option = k < OPTIONS ? command_option_at(args->command, k) : NULL;
+	if (*option == NULL)
+		return is_path_operand(args, word) ? word : NULL;
+	const char *value = args->value[k].text;
+	bool path =
+	    value_is_file(*option, &args->value[k]) ||
+	    ((*option)->kind == VALUE_SPEC && standards_is_file_path(value));
+	return path ? value : NULL;
+}
+
+char *
+call_paths_map(const char *paths,
+    char *(*map)(const char *path, const void *of), const void *of)
+{
+	char *whole = xstrdup("");
+	for (const char *at = paths, *next; at != NULL; at = next) {
+		size_t length;
+		double share;
+		next = value_parse_blend_feed(at, &length, &share);
+		FREED char *one = xstrndup(at, length), *mapped = map(one, of);
+		size_t rest = next != NULL ? (size_t)(next - at) : strlen(at);
+		xappend(&whole, "%s%.*s", mapped, (int)(rest - length),
+		    at + length);
+	}
+	return whole;
+}
+
+bool
+call_path_exists(const char *path)
+{
+	FREED char *name = xstrdup(path);
+	for (char *end = name; end != NULL;) {
+		if (access(name, F_OK) == 0)
+			return true;
+		char *at = strrchr(name, '@'), *equals = strrchr(name, '=');
+		end = at > equals ? at : equals;
+		if (end != NULL)
+			*end = '\0';
+	}
+	return false;
+}
+
+static char *
+path_beside_script(const char *path, const void *folder)
+{
+	const char *name = path;
+	while (strncmp(name, "./", 2) == 0)
+		name += 2;
+	char *beside = xasprintf("%s/%s", (const char *)folder, name);
+	bool dots = strcmp(name, "") == 0 || strcmp(name, ".") == 0;
+	if (path[0] != '/' && !dots && call_path_exists(beside))
+		return beside;
+	free(beside);
+	return xstrdup(path);
+}
+
+/* True if the word names a file to write. */
+static bool
+is_word_written(const struct args *args, const struct command_option *option)
+{
+	static const char WRITERS[] = "save write export";
+	size_t which;
+	if (option != NULL)
+		return strcmp(option->name, "out") == 0;
+	return text_find_word_in_list(WRITERS, args->command->name, &which) ||
+	       text_find_word_in_list(WRITERS, args->operand[0], &which);
+}
+
+bool
+call_paths_find_in_folder(
+    const struct args *args, struct words *words, const char *folder)
+{
+	bool any = false;
+	for (size_t i = 1; i < words->n; i++) {
+		char *word = words->text[i];
+		const struct command_option *o;
+		const char *path = call_path_in_word(args, word, &o);
+		if (path == NULL || is_word_written(args, o))
+			continue;
+		FREED char *found =
+		    call_paths_map(path, path_beside_script, folder);
+		if (strcmp(found, path) == 0)
+			continue;
+		words->text[i] =
+		    xasprintf("%.*s%s", (int)(path - word), word, found);
+		free(word);
+		any = true;
+	}
+	return any;
+}
