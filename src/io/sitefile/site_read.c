@@ -142,17 +142,17 @@ check_feed_or_product_exists(const struct columns *t, const struct column *c,
 		    c->head.text);
 }
 
-/* Checks that a product and its standard deviation have values in the same
- * rows. */
+/* Checks that a product and its standard deviation, unless that is empty, have
+ * values in the same rows. */
 static void
 check_sd_beside_values(const struct columns *all, const struct column *product)
 {
 	const struct table *t = product->table;
 	const struct column *sd =
 	    site_column_find(all, SD, product->speed, product->nth);
-	if (sd != NULL && sd->table != t)
+	if (sd == NULL || sd->table != t || site_column_count_values(sd) == 0)
 		return;
-	for (size_t i = 0; i < t->n_row && sd != NULL; i++) {
+	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell a = t->row[i].cell[product->at];
 		struct cell b = t->row[i].cell[sd->at];
 		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
@@ -344,7 +344,7 @@ set_curves_of_run_from_sheet(const struct columns *t,
 		run->product = psd_of_column(product);
 		run->place = (size_t)(product - t->column);
 	}
-	if (sd == NULL)
+	if (sd == NULL || site_column_count_values(sd) == 0)
 		return;
 	struct psd deviation = psd_of_column(sd);
 	run->product_sd = deviation.passing;
