@@ -718,6 +718,26 @@ note_speed_of_file_name(struct reading *r, const char *path, size_t i)
 	    &r->site->assumed, "; ", tr("the speed in the name of %s"), stem);
 }
 
+/* Reports the products from the ith on whose headings state another speed than
+ * `given`, that after the name of their file, if not 0.  One from rpm may
+ * differ from it by what is rounded off. */
+static void
+check_speed_given_for_file(const struct columns *all, size_t i, double given)
+{
+	for (; given > 0 && i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		bool other = c->role == PRODUCT && c->speed > 0 &&
+			     fabs(c->speed - given) > given / 100;
+		if (!other)
+			continue;
+		FREED char *wanted = xasprintf(
+		    tr("a product at %g m/s, as after the file's name"), given);
+		sheet_fault_expected(c->table->sheet, c->head, wanted,
+		    "leave out @%g to take the speed of the sheet, %g m/s",
+		    given, c->speed);
+	}
+}
+
 static void
 read_site_table(struct reading *r, const struct page *page, struct table *t,
     struct heading_speed told)
@@ -759,6 +779,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	classify_columns(t, &near, &r->all, r->site);
+	check_speed_given_for_file(&r->all, first, given);
 	if (named)
 		note_speed_of_file_name(r, q->path[page->file], first);
 	bool lone = q->feed && r->all.n == first + 1;
