@@ -1262,6 +1262,10 @@ finish_site_reading(struct reading *r)
 	const struct site_request *q = r->request;
 	free(r->site->path);
 	r->site->path = xstrdup(q->path[0]);
+	xappend_to_list(
+	    &r->site->part, " ", "%s", q->sheet != NULL ? q->sheet : "");
+	if (q->range != NULL)
+		xappend_to_list(&r->site->part, " ", "%s", q->range);
 	if (r->site->name[0] == '\0') {
 		free(r->site->name);
 		r->site->name = site_heading_name_from_path(q->path[0]);
