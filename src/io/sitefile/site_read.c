@@ -865,8 +865,11 @@ read_site_file(struct reading *r, size_t file)
 	bool found = r->n_page > before;
 	if (!found)
 		error_at(error_add(r->errors), ERROR_DATA, q->path[file], 0, 0,
-		    "expected a sheet called %s, got none\n"
-		    "its sheets: %s",
+		    names[0] != '\0'
+			? N_("expected a sheet called %s, got none\n"
+			     "its sheets: %s")
+			: N_("expected a sheet called %s, got a file without "
+			     "sheets\nleave out sheet=%s"),
 		    q->sheet != NULL ? q->sheet : tr("(any)"), names);
 	return found;
 }
