@@ -132,9 +132,19 @@ insert_site_entry(struct session *s, struct site *site, size_t place)
 	session_adopt_unloaded_site(s, site);
 }
 
-/* Finds the site that was read from the same file, by its path or by another
- * name of the file; n_entry if there is none.  Compares digests first: if there
- * are many sites, stat on each would take longer than reading the files. */
+/* True if two sites of a file are of different sheets or ranges of it.  One
+ * that was read from all of it may be the same as any other. */
+static bool
+is_other_part(const struct site *a, const struct site *b)
+{
+	return a->part[0] != '\0' && b->part[0] != '\0' &&
+	       strcmp(a->part, b->part) != 0;
+}
+
+/* Finds the site that was read from the same file, or part of it, by its path
+ * or by another name of the file; n_entry if there is none.  Compares digests
+ * first: if there are many sites, stat on each would take longer than reading
+ * the files. */
 static size_t
 find_site_of_file(const struct session *s, const struct site *site)
 {
@@ -146,6 +156,7 @@ find_site_of_file(const struct session *s, const struct site *site)
 	for (size_t i = 0; i < s->n_entry; i++)
 		if ((s->entry[i].lookup.path == own.path ||
 			s->entry[i].lookup.file == own.file) &&
+		    !is_other_part(s->entry[i].site, site) &&
 		    stat(s->entry[i].site->path, &other) == 0 &&
 		    file.st_dev == other.st_dev && file.st_ino == other.st_ino)
 			return i;

@@ -40,7 +40,7 @@ struct site_note {
  * in order of rising speed, repeats at one speed in the order of the sheet.
  * individual_feeds: each run has its own feed sample, except those that lack
  * one; otherwise every run holds a copy of the only feed. */
-enum { SITE_TEXTS = 10 };
+enum { SITE_TEXTS = 11 };
 struct site {
 	/* named: sieves given by name, "#4 = 4.75".  read_as: how the columns
 	 * were read; assumed: what of this the sheet does not state; both are
@@ -48,11 +48,12 @@ struct site {
 	 * with describe how a copy made for a question differs from what was
 	 * sampled, else they are "": feed_from is the source of its feed; with
 	 * has all differences in words, "feed b.csv, cascade 10 %".  path: the
-	 * file that was read, or "". */
+	 * file that was read, or ""; part: the sheet and the range of it that
+	 * were chosen, or "" for all. */
 	union {
 		struct {
 			char *name, *rock, *machine, *provenance, *named,
-			    *read_as, *assumed, *feed_from, *with, *path;
+			    *read_as, *assumed, *feed_from, *with, *path, *part;
 		};
 		char *text[SITE_TEXTS];
 	};

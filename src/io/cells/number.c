@@ -192,14 +192,16 @@ find_number_in_cell(const struct sheet *sheet, struct cell *cell)
 	} else if (cell->kind == CELL_TEXT) {
 		bool less = cell->text[0] == '<';
 		if (parse_number_text(sheet, cell->text + less, &number))
-			cell->value = less ? AS_TRACE : AS_NUMBER;
+			cell->value = AS_NUMBER;
 		else if (is_mark_for_missing(cell->text))
 			cell->value = AS_ABSENT;
 		else if (is_word_for_trace(cell->text))
 			cell->value = AS_TRACE;
 		else
-			cell->value =
-			    parse_number_with_unit(sheet, cell->text, &number);
+			cell->value = parse_number_with_unit(
+			    sheet, cell->text + less, &number);
+		if (less && cell->value != AS_NONE)
+			cell->value = AS_TRACE;
 	}
 	bool has = cell->value >= AS_NUMBER && cell->value != AS_TRACE;
 	cell->number = has ? number : (double)NAN;

@@ -242,6 +242,18 @@ stat_file_not_folder(const char *path, struct stat *about, bool *there)
 	return *there ? !S_ISDIR(about->st_mode) : errno == ENOENT;
 }
 
+/* True if standard output goes to the file, as with > /dev/stdout in a script
+ * whose output is redirected.  To replace that file would lose what was
+ * printed, and to append at its end would be overwritten. */
+static bool
+is_standard_output(const char *path)
+{
+	struct stat file, out;
+	return stat(path, &file) == 0 && S_ISREG(file.st_mode) &&
+	       fstat(STDOUT_FILENO, &out) == 0 && file.st_dev == out.st_dev &&
+	       file.st_ino == out.st_ino;
+}
+
 bool
 file_replace_contents(const char *path, enum file_rights rights,
     const char *bytes, size_t n, struct error *error)
@@ -250,7 +262,7 @@ file_replace_contents(const char *path, enum file_rights rights,
 	bool there;
 	if (!stat_file_not_folder(path, &about, &there))
 		return report_cannot_write(path, errno, error);
-	if (there && !S_ISREG(about.st_mode))
+	if (there && (!S_ISREG(about.st_mode) || is_standard_output(path)))
 		return file_append_bytes(path, rights, bytes, n, error);
 	/* A rename checks only the permissions of the folder. */
 	if (there && access(path, W_OK) != 0)
@@ -304,6 +316,10 @@ bool
 file_append_bytes(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error)
 {
+	if (is_standard_output(path))
+		return (fflush(stdout) == 0 &&
+			   write_all_bytes(STDOUT_FILENO, bytes, n)) ||
+		       report_cannot_write(path, errno, error);
 	int fd;
 	do
 		fd = open(path,

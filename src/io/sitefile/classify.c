@@ -710,11 +710,13 @@ leave_out_if_no_sample(const struct column *c, struct site *site)
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
+	/* An empty column sd@70 says that a repeat has no deviations. */
+	bool deviation = (means & WORD_SD) != 0 && heading_has_speed(&c->said);
 	if (is_column_count_or_constant(c, &s)) {
 		leave_out(site, c,
 		    "row numbers, or the same "
 		    "number in each row");
-	} else if (s.filled == 0) {
+	} else if (s.filled == 0 && !deviation) {
 		leave_out(site, c, "it is empty");
 	} else if ((means & WORD_LIMIT) != 0) {
 		leave_out(site, c,

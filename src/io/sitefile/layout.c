@@ -507,12 +507,27 @@ is_unit_after_value(const struct sheet_grid *g, size_t r, size_t c)
 	       number_value_of_cell(*cell_at(g, r, c - 1), &v);
 }
 
+/* True for the value of a header line, as in "site | Sieves": it follows the
+ * line's key, and nothing follows it. */
+static bool
+is_value_of_key(const struct sheet_grid *g, size_t r, size_t c)
+{
+	size_t at = g->across ? r : c, end = g->across ? g->n_row : g->n_col;
+	for (size_t k = 2; at == 1 && k < end; k++)
+		if (is_cell_filled(g, g->across ? k : r, g->across ? c : k))
+			return false;
+	const struct cell *key =
+	    cell_at(g, g->across ? 0 : r, g->across ? c : 0);
+	return at == 1 && lexicon_key_from_text(key->text) != N_KEY;
+}
+
 static bool
 is_sieve_head(const struct sheet_grid *g, size_t r, size_t c)
 {
 	const struct nature *n = cell_nature_at(g, r, c);
 	bool number = (n->means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER;
 	return n->head && !is_unit_after_value(g, r, c) &&
+	       !is_value_of_key(g, r, c) &&
 	       (!number || has_astm_sieve_numbers(g, r, c));
 }
 

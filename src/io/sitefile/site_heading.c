@@ -250,6 +250,19 @@ set_site_value_of_key(struct site *site, enum lexicon_key k,
 		site_heading_take_rotor(site, sheet, key, value);
 }
 
+static void
+report_key_without_value(struct sheet *sheet, struct cell key)
+{
+	if (sheet->separator == '\t') /* a workbook has no separator */
+		sheet_fault_expected(sheet, key, "a key and a value",
+		    "write the value in the next cell, or begin a remark "
+		    "with #");
+	else
+		sheet_fault_expected(sheet, key, "a key and a value",
+		    "write key%cvalue, or begin a remark with #",
+		    sheet->separator);
+}
+
 /* Reads the next key and value of a line, or a key alone.  seen: the line of
  * each key read so far, or 0.  Returns false at the end of the line. */
 static bool
@@ -267,9 +280,7 @@ set_next_key_of_line(struct site *site, struct sheet *sheet,
 	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
 	enum lexicon_key k = lexicon_key_from_text(bare);
 	if (n == 1 && k == N_KEY && begins_with_key(key.text)) {
-		sheet_fault_expected(sheet, key, "a key and a value",
-		    "write key%cvalue, or begin a remark with #",
-		    sheet->separator);
+		report_key_without_value(sheet, key);
 	} else if (n > 2 && k < N_KEY) {
 		sheet_fault_expected(sheet, third,
 		    "the end of the line after key and value",

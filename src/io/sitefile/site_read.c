@@ -142,17 +142,17 @@ check_feed_or_product_exists(const struct columns *t, const struct column *c,
 		    c->head.text);
 }
 
-/* Checks that a product and its standard deviation have values in the same
- * rows. */
+/* Checks that a product and its standard deviation, unless that is empty, have
+ * values in the same rows. */
 static void
 check_sd_beside_values(const struct columns *all, const struct column *product)
 {
 	const struct table *t = product->table;
 	const struct column *sd =
 	    site_column_find(all, SD, product->speed, product->nth);
-	if (sd != NULL && sd->table != t)
+	if (sd == NULL || sd->table != t || site_column_count_values(sd) == 0)
 		return;
-	for (size_t i = 0; i < t->n_row && sd != NULL; i++) {
+	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell a = t->row[i].cell[product->at];
 		struct cell b = t->row[i].cell[sd->at];
 		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
@@ -344,7 +344,7 @@ set_curves_of_run_from_sheet(const struct columns *t,
 		run->product = psd_of_column(product);
 		run->place = (size_t)(product - t->column);
 	}
-	if (sd == NULL)
+	if (sd == NULL || site_column_count_values(sd) == 0)
 		return;
 	struct psd deviation = psd_of_column(sd);
 	run->product_sd = deviation.passing;
@@ -718,6 +718,26 @@ note_speed_of_file_name(struct reading *r, const char *path, size_t i)
 	    &r->site->assumed, "; ", tr("the speed in the name of %s"), stem);
 }
 
+/* Reports the products from the ith on whose headings state another speed than
+ * `given`, that after the name of their file, if not 0.  One from rpm may
+ * differ from it by what is rounded off. */
+static void
+check_speed_given_for_file(const struct columns *all, size_t i, double given)
+{
+	for (; given > 0 && i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		bool other = c->role == PRODUCT && c->speed > 0 &&
+			     fabs(c->speed - given) > given / 100;
+		if (!other)
+			continue;
+		FREED char *wanted = xasprintf(
+		    tr("a product at %g m/s, as after the file's name"), given);
+		sheet_fault_expected(c->table->sheet, c->head, wanted,
+		    "leave out @%g to take the speed of the sheet, %g m/s",
+		    given, c->speed);
+	}
+}
+
 static void
 read_site_table(struct reading *r, const struct page *page, struct table *t,
     struct heading_speed told)
@@ -759,6 +779,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	classify_columns(t, &near, &r->all, r->site);
+	check_speed_given_for_file(&r->all, first, given);
 	if (named)
 		note_speed_of_file_name(r, q->path[page->file], first);
 	bool lone = q->feed && r->all.n == first + 1;
@@ -844,8 +865,11 @@ read_site_file(struct reading *r, size_t file)
 	bool found = r->n_page > before;
 	if (!found)
 		error_at(error_add(r->errors), ERROR_DATA, q->path[file], 0, 0,
-		    "expected a sheet called %s, got none\n"
-		    "its sheets: %s",
+		    names[0] != '\0'
+			? N_("expected a sheet called %s, got none\n"
+			     "its sheets: %s")
+			: N_("expected a sheet called %s, got a file without "
+			     "sheets\nleave out sheet=%s"),
 		    q->sheet != NULL ? q->sheet : tr("(any)"), names);
 	return found;
 }
@@ -1241,6 +1265,10 @@ finish_site_reading(struct reading *r)
 	const struct site_request *q = r->request;
 	free(r->site->path);
 	r->site->path = xstrdup(q->path[0]);
+	xappend_to_list(
+	    &r->site->part, " ", "%s", q->sheet != NULL ? q->sheet : "");
+	if (q->range != NULL)
+		xappend_to_list(&r->site->part, " ", "%s", q->range);
 	if (r->site->name[0] == '\0') {
 		free(r->site->name);
 		r->site->name = site_heading_name_from_path(q->path[0]);

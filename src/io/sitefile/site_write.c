@@ -17,7 +17,7 @@ struct curve {
 	double speed; /* m/s; 0: none in the heading */
 	bool small;   /* written in fractions */
 	const struct psd *psd;
-	const double *value; /* [psd->n] fractions */
+	const double *value; /* [psd->n] fractions; NULL: an empty column */
 	size_t next;
 };
 
@@ -34,6 +34,18 @@ must_write_as_fractions(const struct site *site, double speed)
 				     run->product.passing[0] <= 0.01);
 	}
 	return small;
+}
+
+/* True if a product at a speed has standard deviations.  Its repeats then get a
+ * column too, empty if they have none: a single column serves all of them. */
+static bool
+has_deviations_at_speed(const struct site *site, double speed)
+{
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].speed == speed &&
+		    site->run[r].product_sd != NULL)
+			return true;
+	return false;
 }
 
 /* Converts a fraction, rounded to 14 decimals, to the unit of the column. */
@@ -118,7 +130,7 @@ list_curves_to_write(const struct site *site, struct curve *curve)
 			curve[n++] = (struct curve){"product", run->speed,
 			    must_write_as_fractions(site, run->speed), product,
 			    product->passing, 0};
-		if (product->n > 0 && run->product_sd != NULL)
+		if (product->n > 0 && has_deviations_at_speed(site, run->speed))
 			curve[n++] = (struct curve){"sd", run->speed, false,
 			    product, run->product_sd, 0};
 	}
@@ -150,7 +162,7 @@ write_sieve_row(struct curve *curve, size_t n, double mm, FILE *out)
 		for (; c->next < c->psd->n; c->next++) {
 			if (units_mm(c->psd->size[c->next]) < mm)
 				break;
-			if (!used)
+			if (!used && c->value != NULL)
 				fputs(text_shortest_exact_number(
 					  fraction_in_column_unit(
 					      c, c->value[c->next]),
