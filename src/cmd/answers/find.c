@@ -381,8 +381,8 @@ note_speed_found(
 	}
 }
 
-/* Returns "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed of the forecast.
- * The caller frees the words. */
+/* Returns "passing 2 mm 36.0 % (35.2 to 36.9)", or "P20 beyond the sieves", at
+ * the speed of the forecast.  The caller frees the words. */
 static char *
 value_with_band_text(const struct find_request *goal, size_t i)
 {
@@ -393,6 +393,8 @@ value_with_band_text(const struct find_request *goal, size_t i)
 	struct figure f =
 	    forecast_value_in_shown_unit(goal->wanted.forecast, i);
 	FREED char *name = quantities_name(q);
+	if (isnan(f.value))
+		return xasprintf(tr("%s beyond the sieves"), name);
 	FREED char *band = quantities_band_text(f.low, f.high, digits);
 	return xasprintf("%s %.*f%s%s", name, digits, f.value,
 	    quantities_unit_suffix(q), band);
