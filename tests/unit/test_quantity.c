@@ -252,7 +252,7 @@ a_forecast_is_what_is_predicted(void **state)
 }
 
 /* Where a size lies below the finest sieve in many draws, its low end is not
- * known, though the answer is; of Cu, which is D60 / D10, it is the high end. */
+ * known, though the answer is; of Cu, which is D60 / D10, the high end. */
 static void
 an_end_beyond_the_sieves_is_not_known(void **state)
 {

@@ -332,8 +332,8 @@ spare_of_figure(const struct card_request *all, size_t i)
 				: FIGURE;
 }
 
-/* Returns an end of a band, or "-" if it is beyond the sieves.  The caller frees
- * it. */
+/* Returns an end of a band, or "-" if it is beyond the sieves.  The caller
+ * frees it. */
 static char *
 end_of_band_text(int digits, double end)
 {

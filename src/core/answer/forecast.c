@@ -419,7 +419,7 @@ forecast_difference(
 		more[d] = b[d] - a[d];
 		less[d] = -more[d];
 	}
-	/* A draw in which one side is beyond the sieves may be at either end. */
+	/* A draw with one side beyond the sieves may be at either end. */
 	if (a != NULL && b != NULL) {
 		ensemble_interval_around_answer(more, one->level, NAN, low);
 		ensemble_interval_around_answer(less, one->level, NAN, high);

@@ -718,8 +718,8 @@ trust_largest_feed_difference(const struct psd *a, const struct psd *b)
 }
 
 /* Returns the passing at size x or, if that is none of the curve's sieves, at
- * the next finer one: at x at least as much passes.  A straight line between the
- * sieves may lie several points too high. */
+ * the next finer one: at x at least as much passes.  A straight line between
+ * the sieves may lie several points too high. */
 static double
 passing_known_at_least(const struct psd *curve, double x)
 {
