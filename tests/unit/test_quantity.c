@@ -251,6 +251,39 @@ a_forecast_is_what_is_predicted(void **state)
 	site_free(k.site);
 }
 
+/* Where a size lies below the finest sieve in many draws, its low end is not
+ * known, though the answer is; of Cu, which is D60 / D10, the high end. */
+static void
+an_end_beyond_the_sieves_is_not_known(void **state)
+{
+	(void)state;
+	enum { SIEVES = 4 };
+	static const double SIZE[SIEVES] = {22.4e-3, 8e-3, 2e-3, 0.55e-3};
+	static const struct quantity OF[] = {
+	    {.kind = QUANTITY_SIZE, .x = 0.1}, {.kind = QUANTITY_UNIFORMITY}};
+	struct known k = known();
+	const struct psd *feed = &k.site->run[0].feed;
+	struct ensemble *e = ensemble_new(k.posterior, feed, SIZE, SIEVES);
+	struct forecast *f = forecast_new(
+	    feed, SIZE, SIEVES, OF, 2, &k.fit.params, k.fit.settings, 0.8);
+	double v = 60;
+	do
+		forecast_move(f, e, ENSEMBLE_ANSWER, v += 0.1);
+	while (!isnan(forecast_value_with_band(f, 0).low));
+	struct figure d10 = forecast_value_with_band(f, 0);
+	struct figure cu = forecast_value_with_band(f, 1);
+	assert_false(isnan(d10.value) || isnan(d10.high));
+	assert_true(d10.high >= d10.value);
+	assert_true(isnan(cu.high));
+	assert_true(cu.low <= cu.value);
+	struct figure more = forecast_difference(f, f, 0);
+	assert_true(isnan(more.low) && isnan(more.high));
+	forecast_close(f);
+	ensemble_free(e);
+	posterior_free(k.posterior);
+	site_free(k.site);
+}
+
 /* The classes' shares add up to what predict says is broken. */
 static void
 selection_sums_to_what_breaks(void **state)
@@ -293,6 +326,7 @@ main(void)
 	    cmocka_unit_test(an_ideal_screen_cuts_the_curve),
 	    cmocka_unit_test(a_real_screen_keeps_the_mass),
 	    cmocka_unit_test(a_forecast_is_what_is_predicted),
+	    cmocka_unit_test(an_end_beyond_the_sieves_is_not_known),
 	    cmocka_unit_test(selection_sums_to_what_breaks),
 	};
 	return cmocka_run_group_tests_name("quantity", tests, NULL, NULL);

@@ -180,6 +180,9 @@ a_slow_machine_has_a_track_of_its_own(void **state)
 	range = range_of(&site);
 	assert_int_equal(range.least, 400);
 	assert_int_equal(range.most, SLIDER_MOST);
+	runs[0].speed = 390; /* no speed above 400 m/s can be asked for */
+	range = range_of(&site);
+	assert_int_equal(range.most, 10 * SITE_FASTEST);
 }
 
 /* A sheet in rpm: each end is that of a run there. */

@@ -319,10 +319,32 @@ test_feeds(void **state)
 	site_free(a);
 }
 
+/* A slower run that was sieved less finely is not finer at a sieve that it
+ * lacks: a straight line there says 32 * 1 mm / 2 mm, which is too much. */
+static void
+a_sieve_that_a_run_lacks_proves_nothing(void **state)
+{
+	(void)state;
+	double sieves[] = {8e-3, 2e-3, 1e-3, 0.5e-3, 0.25e-3};
+	double few[] = {8e-3, 2e-3, 0.25e-3};
+	double fine[] = {1, 0.34, 0.17, 0.09, 0.045}, same[] = {1, 0.32, 0.04};
+	double wrong[] = {1, 0.45, 0.04};
+	const struct psd fast = {.n = 5, .size = sieves, .passing = fine};
+	struct psd slow = {.n = 3, .size = few, .passing = same};
+	struct passing_order o = trust_compare_slow_with_fast(&slow, &fast);
+	assert_true(o.most < 1e-9);
+	assert_false(trust_is_order_wrong(&o));
+	slow.passing = wrong;
+	o = trust_compare_slow_with_fast(&slow, &fast);
+	assert_true(trust_is_order_wrong(&o));
+	assert_true(fabs(o.most - 0.11) < 1e-9 && o.at == 2e-3);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(a_sieve_that_a_run_lacks_proves_nothing),
 	    cmocka_unit_test(test_right),
 	    cmocka_unit_test(test_wrong),
 	    cmocka_unit_test(test_reasons),

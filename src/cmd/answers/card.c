@@ -332,6 +332,14 @@ spare_of_figure(const struct card_request *all, size_t i)
 				: FIGURE;
 }
 
+/* Returns an end of a band, or "-" if it is beyond the sieves.  The caller
+ * frees it. */
+static char *
+end_of_band_text(int digits, double end)
+{
+	return isnan(end) ? xstrdup("-") : xasprintf("%.*f", digits, end);
+}
+
 /* Puts the range of the figure that has one.  Programs have that of P80 at any
  * rate. */
 static void
@@ -339,8 +347,9 @@ put_card_range(struct card_table *page, const struct quantity *q,
     const char *head, struct figure f)
 {
 	int digits = quantities_decimals(q);
-	put_card_text(page, NULL, head, RANGE,
-	    xasprintf("%.*f..%.*f", digits, f.low, digits, f.high));
+	FREED char *from = end_of_band_text(digits, f.low);
+	FREED char *to = end_of_band_text(digits, f.high);
+	put_card_text(page, NULL, head, RANGE, xasprintf("%s..%s", from, to));
 	if (q->kind == QUANTITY_SIZE && q->x == PSD_PASSING[P80] &&
 	    !fraction_is_screened(&q->fraction))
 		return;
@@ -359,8 +368,7 @@ put_card_figures(struct card_table *page, const struct session *s,
 	size_t ranged = all->ranged;
 	FREED char *range = range_column_heading(all);
 	if (page->row == 0)
-		page->ranged = !isnan(
-		    forecast_value_in_shown_unit(all->forecast, ranged).low);
+		page->ranged = forecast_draws(all->forecast, ranged) != NULL;
 	for (size_t i = 0; i < all->n; i++) {
 		const struct quantity *q = &all->q[i];
 		struct figure f =
@@ -719,7 +727,7 @@ build_card_answer(
 	set_card_title(r, entry->site, today);
 	struct trust light = trust_in_answer_or_fit(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
-	struct card_table page = {.answer = r};
+	struct card_table page = {.answer = r, .cut = NAN};
 	for (size_t i = 0; i < n; i++)
 		page.measured =
 		    page.measured || !isnan(measured_figure_at_speed(

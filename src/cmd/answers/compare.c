@@ -169,6 +169,10 @@ note_which_side_has_more(struct answer *r, const struct session *s,
 		    "the data do not show which of the two has the higher %s: "
 		    "the difference is %s between %+.*f and %+.*f%s",
 		    words, chance, digits, low, digits, high, unit);
+	else if (isnan(low) || isnan(high))
+		answer_note(r,
+		    "%s may be beyond the sieves: the difference has no band",
+		    words);
 	else
 		answer_note(
 		    r, "%s: the same at both, to the digits shown", words);

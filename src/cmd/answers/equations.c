@@ -1,6 +1,7 @@
 /* show equations: Eqs 1 to 5 as printed and as used, and for each departure the
  * result of the printed form at the current site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -78,7 +79,8 @@ say_effect_of_sign(
 		answer_note(r,
 		    "D1, the sign: at %g m/s S of %.3g mm is %.1f %%; as "
 		    "printed it is %.3g %%",
-		    speed, units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
+		    speed, units_mm(coarse), -100 * expm1(-t),
+		    fmax(-100 * expm1(t), -DBL_MAX));
 	}
 	if (!isnan(fine)) {
 		double t = exponent_of_eq3(w, fine, speed);
@@ -87,7 +89,7 @@ say_effect_of_sign(
 		answer_note(r,
 		    "D1, the floor: %.3g mm is below the break size and does "
 		    "not break; without the floor its S is %.3g %%",
-		    units_mm(fine), -100 * expm1(-t));
+		    units_mm(fine), fmax(-100 * expm1(-t), -DBL_MAX));
 	}
 }
 

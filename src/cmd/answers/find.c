@@ -381,8 +381,8 @@ note_speed_found(
 	}
 }
 
-/* Returns "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed of the forecast.
- * The caller frees the words. */
+/* Returns "passing 2 mm 36.0 % (35.2 to 36.9)", or "P20 beyond the sieves", at
+ * the speed of the forecast.  The caller frees the words. */
 static char *
 value_with_band_text(const struct find_request *goal, size_t i)
 {
@@ -393,9 +393,35 @@ value_with_band_text(const struct find_request *goal, size_t i)
 	struct figure f =
 	    forecast_value_in_shown_unit(goal->wanted.forecast, i);
 	FREED char *name = quantities_name(q);
+	if (isnan(f.value))
+		return xasprintf(tr("%s beyond the sieves"), name);
 	FREED char *band = quantities_band_text(f.low, f.high, digits);
 	return xasprintf("%s %.*f%s%s", name, digits, f.value,
 	    quantities_unit_suffix(q), band);
+}
+
+/* Names the speeds of the search at which the quantity cannot be read, if the
+ * extreme may lie there: a size is then smaller than any that can be. */
+static void
+note_speeds_beyond_sieves(struct answer *r, const struct find_request *goal)
+{
+	const struct speed_search *f = goal->search;
+	double from = NAN, to = NAN;
+	for (size_t k = 0; k < f->n; k++) {
+		if (!isnan(f->value[k]))
+			continue;
+		from = isnan(from) ? f->speed[k] : from;
+		to = f->speed[k];
+	}
+	FREED char *name = quantities_name(&goal->target.quantity);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(goal->wanted.entry->site->rotor, from, to);
+	bool small = goal->target.quantity.kind == QUANTITY_SIZE;
+	if (!isnan(from) && !(small && goal->kind == GOAL_MOST))
+		answer_say(r, ANSWER_WARNING,
+		    "from %.1f to %.1f m/s%s %s is beyond the sieves: these "
+		    "speeds are left out",
+		    from, to, rpm, name);
 }
 
 /* Notes the extreme value and what limits it: a condition, or the end of the
@@ -414,6 +440,7 @@ note_extreme_value(struct answer *r, const struct find_request *goal)
 	answer_note(r, "%s at %.2f m/s%s: %s",
 	    most ? tr("largest") : tr("least"), v, rpm, words);
 	free(words);
+	note_speeds_beyond_sieves(r, goal);
 	struct wanted_limit binds = {SIZE_MAX, false};
 	for (size_t k = 0; k < f->n_inside; k++) {
 		const struct speed_range *in = &f->inside[k];

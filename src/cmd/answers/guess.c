@@ -379,7 +379,7 @@ note_guess_error(struct answer *r, const struct guess_sources *b)
 	    "error: with another beta expect 5 to 12 points",
 	    e->n, 100 * e->median, 100 * e->worst, name_of_worst_guess(b),
 	    100 * e->feed);
-	if (b->n > 1)
+	if (b->n > 1 && isfinite(e->held))
 		answer_say(r, ANSWER_REMARK,
 		    "with one beta for all, the band held %.0f %% of the "
 		    "passings of sites left out",

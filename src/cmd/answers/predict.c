@@ -40,9 +40,13 @@ note_breaking_sizes(
 		    "the appearance function gives no progeny: feed unchanged");
 	else if (p->break_size >= top)
 		answer_note(r,
-		    "nothing breaks at %.*f m/s%s: only particles of %.3g mm "
-		    "or more would, and the feed has none above %g mm: feed "
-		    "unchanged",
+		    p->low != NULL
+			? N_("by the fit nothing breaks at %.*f m/s%s: only "
+			     "particles of %.3g mm or more would, and the feed "
+			     "has none above %g mm")
+			: N_("nothing breaks at %.*f m/s%s: only particles of "
+			     "%.3g mm or more would, and the feed has none "
+			     "above %g mm: feed unchanged"),
 		    units_speed_decimals(p->speed), p->speed, rpm,
 		    1000 * p->break_size, units_mm(top));
 	else if (params_value_by_name(q->params, "e0_min") <= 0)

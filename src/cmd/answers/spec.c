@@ -183,8 +183,10 @@ note_envelope_verdict(struct answer *r, const struct grading *g, double v)
 	double certain = conditions_probability(&g->conditions);
 	FREED char *missed = envelope_missed_limits_text(g);
 	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
-	answer_note(
-	    r, "%s", missed[0] != '\0' ? missed : tr("meets the envelope"));
+	answer_note(r, "%s",
+	    missed[0] != '\0'         ? missed
+	    : g->n_sieve < g->spec->n ? tr("meets the limits that were checked")
+				      : tr("meets the envelope"));
 	FREED char *often = conditions_times_in_100_text(certain);
 	if (isfinite(certain))
 		answer_note(

@@ -227,7 +227,8 @@ double *
 answers_list_round_rpm_speeds(
     const struct site *site, double from, double to, size_t most, size_t *n)
 {
-	static const double STEPS[] = {5, 10, 20, 25, 50, 100, 200, 500};
+	static const double STEPS[] = {
+	    5, 10, 20, 25, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
 	double rotor = site->rotor;
 	if (!answers_is_sheet_in_rpm(site))
 		return NULL;
@@ -243,7 +244,7 @@ answers_list_few_round_speeds(
     const struct session *s, const struct site *site, size_t *n)
 {
 	enum { MOST = 7 };
-	static const double STEPS[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
+	static const double STEPS[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100};
 	double from, to;
 	settings_default_speed_range(&s->set, site, &from, &to);
 	double *speed = answers_list_round_rpm_speeds(site, from, to, MOST, n);

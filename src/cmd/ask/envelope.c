@@ -482,7 +482,10 @@ note_individual_retained(
 		    step, g->conditions.level, NAN, range);
 	FREED char *band = quantities_band_text(range[0], range[1], 1);
 	const double coarse_mm = units_mm(g->spec->size[at]);
-	const char *is = verdict_within_limits(100 * most, -INFINITY, l->most);
+	bool open = g->n_sieve < g->spec->n && 100 * most <= l->most;
+	const char *is =
+	    open ? tr("not known")
+		 : verdict_within_limits(100 * most, -INFINITY, l->most);
 	answer_note(r,
 	    "most between two sieves: %.1f %%%s, %g to %g mm: %s; limit %g",
 	    100 * most, band, coarse_mm, units_mm(g->spec->size[at + 1]), is,

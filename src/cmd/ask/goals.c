@@ -174,6 +174,11 @@ missed_value_text(const struct condition *c, double value, bool most)
 	    quantities_value_in_shown_unit(q, most ? c->most : c->least);
 	char *name = quantities_name(q), number[32], edge[32];
 	int digits = 3;
+	if (isnan(value)) {
+		char *beyond = xasprintf(tr("%s beyond the sieves"), name);
+		free(name);
+		return beyond;
+	}
 	snprintf(edge, sizeof edge, "%g", bound);
 	do
 		snprintf(number, sizeof number, "%.*g", digits++,

@@ -349,13 +349,17 @@ band_error_missing(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	bool off = correction_in_use(s, entry) == CORRECTION_OFF;
+	const struct fit *fit = origin_source_fit(entry);
 	return error_set(error, ERROR_USAGE, "%s\n%s",
 	    band_why_missing(s, entry),
-	    origin_source_fit(entry) == NULL ? tr("run 'calibrate' first")
+	    fit == NULL ? tr("run 'calibrate' first")
+	    : fit_has_too_few_data(fit)
+		? tr("add sieves or a run to the sheet, then 'calibrate' again")
 	    : off && s->set.correction != CORRECTION_OFF
 		? tr("leave out correction=off")
-	    : off ? tr("write: set correction all")
-		  : tr("'set' shows the settings"));
+	    : off                            ? tr("write: set correction all")
+	    : fit->stop == CALIBRATE_STOPPED ? tr("run 'calibrate' again")
+					     : tr("'set' shows the settings"));
 }
 
 /* True if more runs inform the answers than the draws can use. */

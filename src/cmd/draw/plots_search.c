@@ -93,8 +93,19 @@ best_params_of_generation(const struct search_shown *past, size_t generation)
 double
 misfit_as_rmse_points(const struct search_shown *past, double misfit)
 {
+	if (misfit == 0)
+		return 0;
 	bool good = isfinite(misfit) && misfit > 0 && past->weight > 0;
 	return good ? 100 * sqrt(misfit / past->weight) : NAN;
+}
+
+/* As misfit_as_rmse_points, but NAN for 0, which has no place on a logarithmic
+ * axis. */
+static double
+misfit_on_log_axis(const struct search_shown *past, double misfit)
+{
+	double points = misfit_as_rmse_points(past, misfit);
+	return points > 0 ? points : NAN;
 }
 
 bool
@@ -276,10 +287,10 @@ convergence_rmse_axis(const struct search_shown *past)
 	double low = 0.1, high = 30;
 	for (size_t i = 0; i < past->n; i++) {
 		const struct calibrate_generation *g = &past->generation[i];
-		low = fmin(low, misfit_as_rmse_points(past, g->best));
-		high = fmax(high, misfit_as_rmse_points(past, g->median));
+		low = fmin(low, misfit_on_log_axis(past, g->best));
+		high = fmax(high, misfit_on_log_axis(past, g->median));
 	}
-	low = fmin(low, misfit_as_rmse_points(past, past->misfit));
+	low = fmin(low, misfit_on_log_axis(past, past->misfit));
 	return axis_new_log(tr("difference, points RMS"), low, high);
 }
 
@@ -303,15 +314,15 @@ plots_search_convergence(
 	for (size_t i = 0; i < past.n; i++) {
 		const struct calibrate_generation *g = &past.generation[i];
 		median->x[i] = best->x[i] = (double)(i + 1);
-		median->y[i] = misfit_as_rmse_points(&past, g->median);
-		best->y[i] = misfit_as_rmse_points(&past, g->best);
+		median->y[i] = misfit_on_log_axis(&past, g->median);
+		best->y[i] = misfit_on_log_axis(&past, g->best);
 	}
 	if (past.polished)
 		chart_add_points(chart,
 		    (struct chart_series){
 			.series = SERIES_PREDICTED, .mark = '*'},
 		    1, (double[]){(double)past.n},
-		    (double[]){misfit_as_rmse_points(&past, past.misfit)},
+		    (double[]){misfit_on_log_axis(&past, past.misfit)},
 		    tr("polished"));
 	if (q->generation > 0)
 		chart_add_rule(chart, SERIES_CROSSHAIR, (double)q->generation,

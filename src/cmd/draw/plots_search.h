@@ -30,7 +30,7 @@ struct search_shown search_shown_of_site(
 bool search_shown_is_running(
     const struct session *s, const struct entry *entry);
 
-/* Returns a misfit as RMSE, points, or NAN if it is not finite and positive. */
+/* Returns a misfit as RMSE, points, or NAN if it is not finite. */
 double misfit_as_rmse_points(const struct search_shown *past, double misfit);
 
 /* Sets the parameters to draw: those of the requested generation, else the best

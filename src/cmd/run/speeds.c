@@ -279,16 +279,19 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 }
 
 /* True if the word is a speed, a range "66..81:5", or a list.  *list: it is a
- * range, or has at least three numbers; "69,74" may mean 69.74. */
+ * range, or its commas must be between numbers, as in "66,70,74" and "71.5,77";
+ * "69,74" may mean 69.74. */
 static bool
 is_speed_range_or_list(const char *word, bool *list)
 {
 	const char *dots = strstr(word, "..");
 	size_t n = strspn(word, dots != NULL ? "0123456789.:" : "0123456789.,");
-	size_t commas = 0;
-	for (size_t i = 0; i < n; i++)
+	size_t commas = 0, points = 0;
+	for (size_t i = 0; i < n; i++) {
 		commas += word[i] == ',';
-	*list = commas > 1 || dots != NULL;
+		points += word[i] == '.';
+	}
+	*list = commas > 1 || (commas > 0 && points > 0) || dots != NULL;
 	return n > 0 && isdigit((unsigned char)word[0]) &&
 	       (word[n] == '\0' || strcmp(word + n, RPM) == 0 ||
 		   strcmp(word + n, "m/s") == 0);

@@ -105,18 +105,22 @@ mend_finding_text(const struct site *site, const struct finding *f)
 			xappend_to_list(&words, "; ", "%s", effect);
 		return words;
 	}
-	FREED char *expected =
-	    isnan(f->expected)
-		? xstrdup(tr("is off the line between its neighbours"))
-		: xasprintf(tr("where %.1f (sd %.1f) is expected"),
-		      100 * f->expected, 100 * f->sd);
-	return xasprintf(tr("%s passing %g %% at %g mm, %s %s: %s"),
-	    m->feed ? tr("feed") : tr("product"), units_pct(f->measured),
-	    units_mm(m->size), expected,
+	const char *what = m->feed ? tr("feed") : tr("product");
+	const char *ask = m->kind == MEND_READ
+			      ? tr("were digits transposed?")
+			      : tr("measure it again, or leave it out");
+	if (isnan(f->expected))
+		return xasprintf(tr("%s passing %g %% at %g mm is off the line "
+				    "between its neighbours: %s"),
+		    what, units_pct(f->measured), units_mm(m->size), ask);
+	return xasprintf(
+	    tr("%s passing %g %% at %g mm, where %.1f (sd %.1f) is expected "
+	       "%s: %s"),
+	    what, units_pct(f->measured), units_mm(m->size), 100 * f->expected,
+	    100 * f->sd,
 	    isnan(f->surprise) ? tr("by its neighbours and the other runs")
 			       : tr("by all other passings and the fit"),
-	    m->kind == MEND_READ ? tr("were digits transposed?")
-				 : tr("measure it again, or leave it out"));
+	    ask);
 }
 
 static void

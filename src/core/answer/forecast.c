@@ -385,29 +385,46 @@ forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
 	}
 }
 
+/* True if the quantity is higher than can be read, not lower, where the curve
+ * does not reach far enough: Cu and Cc are divided by D10. */
+static bool
+is_high_beyond_curve(const struct quantity *q)
+{
+	return q->kind == QUANTITY_UNIFORMITY || q->kind == QUANTITY_CURVATURE;
+}
+
 struct figure
 forecast_value_with_band(const struct forecast *f, size_t i)
 {
 	double to_hold = f->of == ENSEMBLE_ANSWER ? f->value[i] : NAN;
-	double range[2] = {NAN, NAN};
-	if (f->draw[i] != NULL)
-		ensemble_interval_around_answer(
-		    f->draw[i], f->level, to_hold, range);
-	return (struct figure){f->value[i], range[0], range[1]};
+	double range[2] = {NAN, NAN}, draw[DRAWS];
+	double sign = is_high_beyond_curve(&f->asked[i]) ? -1 : 1;
+	if (f->draw[i] == NULL)
+		return (struct figure){f->value[i], NAN, NAN};
+	for (size_t d = 0; d < DRAWS; d++)
+		draw[d] = sign * f->draw[i][d];
+	ensemble_interval_around_answer(draw, f->level, sign * to_hold, range);
+	return sign > 0 ? (struct figure){f->value[i], range[0], range[1]}
+			: (struct figure){f->value[i], -range[1], -range[0]};
 }
 
 struct figure
 forecast_difference(
     const struct forecast *one, const struct forecast *two, size_t i)
 {
-	double more[DRAWS], range[2] = {NAN, NAN};
+	double more[DRAWS], less[DRAWS];
+	double low[2] = {NAN, NAN}, high[2] = {NAN, NAN};
 	const double *a = one->draw[i], *b = two->draw[i];
-	for (size_t d = 0; d < DRAWS && a != NULL && b != NULL; d++)
+	for (size_t d = 0; d < DRAWS && a != NULL && b != NULL; d++) {
 		more[d] = b[d] - a[d];
-	if (a != NULL && b != NULL)
-		ensemble_interval_around_answer(more, one->level, NAN, range);
-	return (struct figure){
-	    two->value[i] - one->value[i], range[0], range[1]};
+		less[d] = -more[d];
+	}
+	/* A draw with one side beyond the sieves may be at either end. */
+	if (a != NULL && b != NULL) {
+		ensemble_interval_around_answer(more, one->level, NAN, low);
+		ensemble_interval_around_answer(less, one->level, NAN, high);
+	}
+	return (struct figure){two->value[i] - one->value[i], low[0], -high[0]};
 }
 
 struct psd

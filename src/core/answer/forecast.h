@@ -69,7 +69,8 @@ void forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
 
 /* Returns quantity i of the second forecast minus that of the first, each at
  * its own speed.  The difference is taken draw by draw: draws of one posterior
- * are paired, those of two are independent. */
+ * are paired, those of two are independent.  An end is NAN if so many draws are
+ * beyond the curve that it may lie there. */
 struct figure forecast_difference(
     const struct forecast *one, const struct forecast *two, size_t i);
 

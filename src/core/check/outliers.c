@@ -556,6 +556,9 @@ find_most_bent_cell(struct outlier_findings *d, const struct site *site,
 	if (!(fabs(o.off) > most))
 		return;
 	struct leave_out_shift s = shift_of_cell_off_curve(site, noise, &cell);
+	/* A curve with few sieves may bend where the others show why. */
+	if (fabs(s.expected - passing_of_cell(site, &cell)) < s.sd)
+		return;
 	add_finding_of_cell(d, site, &cell, &s);
 }
 

@@ -37,7 +37,8 @@ bool trust_is_band_impossible(double rmse, size_t speeds);
 
 /* How far two products contradict the rule that a faster rotor breaks more
  * (D23): the excess of the slower run's passing over the faster run's, 0..1.
- * most: the largest, at the sieve `at`, m; mean: over their common sieves. */
+ * most: the largest, at the sieve `at` of the faster run, m; mean: over its
+ * sieves.  At a sieve that the slower run lacks, its next finer one counts. */
 struct passing_order {
 	double most, at, mean;
 };

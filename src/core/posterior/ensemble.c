@@ -783,8 +783,9 @@ ensemble_interval_around_answer(
 	double value[DRAWS];
 	memcpy(value, draw, sizeof value);
 	ensemble_middle_interval(value, level, &range[0], &range[1]);
-	/* Of a number and NAN, fmin and fmax return the number. */
-	range[0] = fmin(range[0], answer);
+	/* A low end that is NAN lies below every number.  Of a number and NAN,
+	 * fmax returns the number. */
+	range[0] = answer < range[0] ? answer : range[0];
 	range[1] = fmax(range[1], answer);
 }
 

@@ -449,7 +449,8 @@ site_default_speed_range(const struct site *site, double *from, double *to)
 	double more = fmax((fastest - slowest) / 2, slowest / 4);
 	*from =
 	    fmax(1, floor(apart ? slowest - more : fmin(slowest, usual_from)));
-	*to = ceil(apart ? fastest + more : fmax(fastest, usual_to));
+	*to = ceil(apart ? fmin(fastest + more, SITE_FASTEST)
+			 : fmax(fastest, usual_to));
 }
 
 char *
