@@ -41,6 +41,7 @@ replays() {
 	remark "$dir/diff"
 }
 
+fit='params set f_mat=2 e0_min=16 alpha=1'
 quick='population=200 generations=8'
 restores=0
 replays 'one site' '' "load tierp.csv; calibrate $quick; predict 74; validate
@@ -73,6 +74,19 @@ replays 'stopped between sites' --format=json "load tierp.csv bro.csv
 	calibrate all $quick polish=off pause=8; use tierp; predict 75"
 replays 'an envelope' '' "load tierp.csv; params set f_mat=2 e0_min=16 alpha=1
 	find spec=en-12620-0-4.csv"
+replays 'an envelope as the goal' --format=json "load tierp.csv; $fit
+	set goal en-12620-0-4.csv; predict 74"
+mkdir "$dir/plain"
+cp "$here/tierp.csv" "$here/en-12620-0-4.csv" "$dir/plain"
+odd=$here here=$dir/plain
+replays 'an envelope and a condition as the goal' '' "load tierp.csv; $fit
+	set goal=\"passing 2 = 40,5..50; ./en-12620-0-4.csv\" k=2; predict 74"
+here=$odd
+long=$(printf '%0120d' 0)
+mkdir "$here/$long"
+cp "$here/tierp.csv" "$here/bro.csv" "$here/$long"
+replays 'a blend of feeds far down' --format=json "load tierp.csv; $fit
+	set feed $long/tierp.csv@69*0.5+$long/bro.csv@69*0.5; predict 74"
 replays 'files aside' --format=json "load tierp.csv
 	calibrate $quick pause=6 > fit.json
 	predict 74 | cat >product.csv

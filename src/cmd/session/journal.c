@@ -180,6 +180,44 @@ append_path_of_option(char **line, const char *key, const char *path)
 	journal_append_word(line, whole);
 }
 
+/* Returns the length of the first part of a goal: a condition, in which a comma
+ * between digits is a decimal comma, or an envelope.  The name of a file is one
+ * part. */
+static size_t
+length_of_goal_part(const char *goal)
+{
+	if (access(goal, F_OK) == 0)
+		return strlen(goal);
+	size_t n = strcspn(goal, ",;");
+	while (n > 0 && goal[n] == ',' && isdigit((unsigned char)goal[n - 1]) &&
+	       isdigit((unsigned char)goal[n + 1]))
+		n += 1 + strcspn(goal + n + 1, ",;");
+	return n;
+}
+
+/* Appends a goal, after `key=` unless that is NULL, with the files of envelopes
+ * as absolute paths. */
+static void
+append_goal_option(char **line, const char *key, const char *goal)
+{
+	FREED char *whole = key != NULL ? xasprintf("%s=", key) : xstrdup("");
+	for (const char *at = goal; *at != '\0';) {
+		size_t n = length_of_goal_part(at);
+		FREED char *copy = xstrndup(at, n);
+		const char *part = text_trim(copy);
+		bool condition =
+		    n < strlen(goal) && strpbrk(part, "<>=%") != NULL;
+		if (!condition && standards_is_file_path(part))
+			append_absolute_path(&whole, part);
+		else
+			xappend(&whole, "%.*s", (int)n, at);
+		if (at[n] != '\0')
+			xappend(&whole, "%c", at[n++]);
+		at += n;
+	}
+	journal_append_word(line, whole);
+}
+
 void
 journal_add_file_check(
     struct session *s, const char *latest, const char *path, uint64_t digest)
@@ -240,6 +278,12 @@ is_option_not_saved(const struct command_option *o)
 	return strcmp(o->name, "pause") == 0 || strcmp(o->name, "out") == 0;
 }
 
+static bool
+is_goal_setting(const struct command_option *o)
+{
+	return o->kind == VALUE_TEXT && strcmp(o->name, "goal") == 0;
+}
+
 char *
 journal_call_as_saved(const struct args *args, const struct words *words)
 {
@@ -253,6 +297,11 @@ journal_call_as_saved(const struct args *args, const struct words *words)
 			continue;
 		if (o != NULL)
 			value = args->value[k].text;
+		if (o != NULL && is_goal_setting(o)) {
+			append_goal_option(
+			    &line, value != word ? o->name : NULL, value);
+			continue;
+		}
 		bool path = o == NULL ? is_path_operand(args, word)
 				      : value_is_file(o, &args->value[k]) ||
 					    (o->kind == VALUE_SPEC &&
