@@ -72,6 +72,10 @@ replays 'stopped among all' --format=json "load tierp.csv bro.csv
 	calibrate all $quick pause=12; use tierp; predict 75"
 replays 'stopped between sites' --format=json "load tierp.csv bro.csv
 	calibrate all $quick polish=off pause=8; use tierp; predict 75"
+replays 'questions whose results went elsewhere' --format=json "load tierp.csv
+	calibrate $quick; predict 71; predict 72 feed=69 > product.csv; pin
+	find p80=5.2 | cat >product.csv
+	why; predict; describe psd beside=pinned"
 replays 'an envelope' '' "load tierp.csv; params set f_mat=2 e0_min=16 alpha=1
 	find spec=en-12620-0-4.csv"
 replays 'an envelope as the goal' --format=json "load tierp.csv; $fit

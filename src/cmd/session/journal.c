@@ -114,6 +114,13 @@ remove_last_call_of(struct journal *j, const char *latest)
 		free(j->line[--j->n]);
 }
 
+bool
+journal_last_line_ends(const struct session *s, const char *end)
+{
+	const struct journal *j = s->journal;
+	return j->n > j->start && text_ends_with(j->line[j->n - 1], end);
+}
+
 void
 journal_add_line(struct session *s, const char *latest, const char *line, ...)
 {
