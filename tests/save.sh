@@ -113,6 +113,11 @@ END
 diff "$dir/want" "$dir/out" >"$dir/diff"
 result $? "what was undone is left out"
 remark "$dir/diff"
+run --format=json -c "load tierp.csv; $fit; pin 69; load bro.csv; undo; predict
+	save ../asked.tip" 2>"$dir/log" | tail -n 1 >"$dir/want"
+run ../asked.tip 2>"$dir/log" | tail -n 1 | diff "$dir/want" - >"$dir/diff"
+result $? "nor does the speed that a question takes from the latest one differ"
+remark "$dir/diff"
 run -c "load tierp.csv; source ../undone.tip; undo; undo
 	restore ../undone.tip; undo; save ../empty.tip" >"$dir/out" 2>&1
 result $? "source and restore are one step each"
