@@ -41,6 +41,7 @@ replays() {
 	remark "$dir/diff"
 }
 
+fit='params set f_mat=2 e0_min=16 alpha=1'
 quick='population=200 generations=8'
 restores=0
 replays 'one site' '' "load tierp.csv; calibrate $quick; predict 74; validate
@@ -71,8 +72,25 @@ replays 'stopped among all' --format=json "load tierp.csv bro.csv
 	calibrate all $quick pause=12; use tierp; predict 75"
 replays 'stopped between sites' --format=json "load tierp.csv bro.csv
 	calibrate all $quick polish=off pause=8; use tierp; predict 75"
+replays 'questions whose results went elsewhere' --format=json "load tierp.csv
+	calibrate $quick; predict 71; predict 72 feed=69 > product.csv; pin
+	find p80=5.2 | cat >product.csv
+	why; predict; describe psd beside=pinned"
 replays 'an envelope' '' "load tierp.csv; params set f_mat=2 e0_min=16 alpha=1
 	find spec=en-12620-0-4.csv"
+replays 'an envelope as the goal' --format=json "load tierp.csv; $fit
+	set goal en-12620-0-4.csv; predict 74"
+mkdir "$dir/plain"
+cp "$here/tierp.csv" "$here/en-12620-0-4.csv" "$dir/plain"
+odd=$here here=$dir/plain
+replays 'an envelope and a condition as the goal' '' "load tierp.csv; $fit
+	set goal=\"passing 2 = 40,5..50; ./en-12620-0-4.csv\" k=2; predict 74"
+here=$odd
+long=$(printf '%0120d' 0)
+mkdir "$here/$long"
+cp "$here/tierp.csv" "$here/bro.csv" "$here/$long"
+replays 'a blend of feeds far down' --format=json "load tierp.csv; $fit
+	set feed $long/tierp.csv@69*0.5+$long/bro.csv@69*0.5; predict 74"
 replays 'files aside' --format=json "load tierp.csv
 	calibrate $quick pause=6 > fit.json
 	predict 74 | cat >product.csv
@@ -94,6 +112,11 @@ load bro.csv digest=7cf447237a8dfa59
 END
 diff "$dir/want" "$dir/out" >"$dir/diff"
 result $? "what was undone is left out"
+remark "$dir/diff"
+run --format=json -c "load tierp.csv; $fit; pin 69; load bro.csv; undo; predict
+	save ../asked.tip" 2>"$dir/log" | tail -n 1 >"$dir/want"
+run ../asked.tip 2>"$dir/log" | tail -n 1 | diff "$dir/want" - >"$dir/diff"
+result $? "nor does the speed that a question takes from the latest one differ"
 remark "$dir/diff"
 run -c "load tierp.csv; source ../undone.tip; undo; undo
 	restore ../undone.tip; undo; save ../empty.tip" >"$dir/out" 2>&1

@@ -498,7 +498,8 @@ const struct command TABLE_ANSWERS[] = {
     {.name = "report",
 	.brief = "write a report on the site in use to one file",
 	.operands = {"[CONDITION...]", {""}, 0, OPERANDS - 1},
-	.flags = COMMAND_NEEDS_SITE | COMMAND_DAILY | COMMAND_CONDITIONS,
+	.flags = COMMAND_NEEDS_SITE | COMMAND_DAILY | COMMAND_CONDITIONS |
+		 COMMAND_UNSAVED,
 	.bare = "speed",
 	.option = OPTION_LIST(
 	    {SPEED(speed), "rotor tip speed; default: the best one for the "

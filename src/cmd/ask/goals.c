@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -119,7 +120,11 @@ bool
 goals_parse(struct session *s, const char *text, const struct psd *feed,
     struct condition_list *list, size_t *n_value, struct error *error)
 {
-	for (const char *at = text; *at != '\0';) {
+	/* The name of a file may have the signs of conditions in it. */
+	bool file = access(text, F_OK) == 0;
+	if (file && !add_limits_of_named_envelope(s, text, feed, list, error))
+		return false;
+	for (const char *at = text; *at != '\0' && !file;) {
 		size_t length = conditions_length_of_first(at);
 		char *copy = xstrndup(at, length), *word = text_trim(copy);
 		bool ok = word[0] == '\0' || parse_condition_or_envelope(

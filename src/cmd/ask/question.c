@@ -452,7 +452,9 @@ question_last_speed(struct session *s, double usual)
 	double last = s->last_asked.speed;
 	if (!(last > 0))
 		return usual;
-	invocation_journal_options(s, " speed=%.12g", last);
+	char number[32];
+	invocation_journal_options(
+	    s, " speed=%s", text_shortest_exact_number(last, number));
 	return last;
 }
 

@@ -173,16 +173,22 @@ words_replace_by_one(
 	words->n = first + 1 + rest;
 }
 
-/* If the first two words are the name of a command, "store list",
- * joins them. */
+/* If the first two words are the name of a command, "store list", joins them.
+ * The words "set" and "seed=4" become "set seed" and "4". */
 static void
 join_command_name(struct words *words)
 {
-	FREED char *name = xasprintf("%s %s", words->text[0], words->text[1]);
+	bool set = strcmp(words->text[0], "set") == 0;
+	size_t n = strcspn(words->text[1], set ? "=" : "");
+	bool value = words->text[1][n] == '=';
+	FREED char *name =
+	    xasprintf("%s %.*s", words->text[0], (int)n, words->text[1]);
 	const struct command *command = command_find(name);
 	if (command == NULL)
 		return;
-	words_replace_by_one(words, 0, 2, name);
+	words_replace_by_one(words, 0, value ? 1 : 2, name);
+	if (value)
+		words_replace_by_one(words, 1, 1, words->text[1] + n + 1);
 	words->command = command;
 }
 

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/invocation.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -51,6 +52,12 @@ check_allowed_in_safe_mode(
 	    "reads only the files of its command line and writes none");
 }
 
+static double
+feed_speed_of_prediction(const struct session *s)
+{
+	return session_answer_number(s, "predict", "feed_mps");
+}
+
 bool
 invocation_begin(struct session *s, const struct args *args,
     const struct words *words, struct place place, struct error *error)
@@ -86,6 +93,8 @@ invocation_begin(struct session *s, const struct args *args,
 	t->state = journal_current_place(s).state;
 	t->steps = undo_count_steps(s);
 	t->uses = files_count_uses(s);
+	t->asked = s->last_asked;
+	t->fed = feed_speed_of_prediction(s);
 	if (command->flags & COMMAND_CHANGES)
 		t->before = snapshot_take(s);
 	s->invocation = t;
@@ -147,15 +156,32 @@ record_digest_checks(
 	}
 }
 
+/* True if later commands, which by default ask about the same as the latest
+ * one, may answer otherwise than without the command. */
+static bool
+has_asked_otherwise(const struct session *s, const struct invocation *t)
+{
+	const struct last_asked *was = &t->asked, *now = &s->last_asked;
+	double fed = feed_speed_of_prediction(s);
+	return was->speed != now->speed || was->found_by != now->found_by ||
+	       was->named != now->named ||
+	       (now->named && !quantity_is_same(&was->of, &now->of)) ||
+	       (fed != t->fed && !(isnan(fed) && isnan(t->fed)));
+}
+
 /* Adds the command's line to the journal.  If its results are redirected, a
  * saved script does not write them, but repeats what the command changed. */
 static void
 record_line_in_journal(
     struct session *s, const struct invocation *t, bool changed)
 {
+	static const char aside[] = " > /dev/null";
 	bool elsewhere = is_result_redirected(t);
-	const char *latest =
-	    t->command->flags & COMMAND_KEEPS_LAST ? t->command->name : NULL;
+	changed = changed || has_asked_otherwise(s, t);
+	/* A result on the screen does not give way to one that was not. */
+	bool series = (t->command->flags & COMMAND_KEEPS_LAST) != 0 &&
+		      journal_last_line_ends(s, aside) == elsewhere;
+	const char *latest = series ? t->command->name : NULL;
 	/* Answers during a calibration depend on the moment, settings do
 	 * not. */
 	bool between = session_is_calibrating(s) && s->job.invocation != t &&
@@ -167,8 +193,8 @@ record_line_in_journal(
 	if (t->stopped)
 		snprintf(pause, sizeof pause, " pause=%zu", t->stopped_at);
 	record_digest_checks(s, t, latest);
-	journal_add_line(s, latest, "%s%s%s", t->line, pause,
-	    elsewhere ? " > /dev/null" : "");
+	journal_add_line(
+	    s, latest, "%s%s%s", t->line, pause, elsewhere ? aside : "");
 }
 
 void

@@ -25,9 +25,11 @@ struct invocation {
 	size_t state;            /* of the journal when it began */
 	size_t steps;            /* that could be undone when it began */
 	size_t uses;             /* of files until it began */
-	bool joins;              /* is undone with the step before */
-	bool stopped;            /* its calibration was stopped */
-	size_t stopped_at;       /* after so many steps; 0: no result */
+	struct last_asked asked; /* when it began */
+	double fed;   /* m/s: the feed of the latest prediction then, or NAN */
+	bool joins;   /* is undone with the step before */
+	bool stopped; /* its calibration was stopped */
+	size_t stopped_at; /* after so many steps; 0: no result */
 	/* Makes it fail at its end; the results are kept, but lack a part. */
 	struct error late;
 	double started; /* session_clock */

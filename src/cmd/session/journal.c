@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/journal.h"
 
+#include <ctype.h>
 #include <inttypes.h>
 #include <limits.h>
 #include <stdarg.h>
@@ -14,6 +15,7 @@
 #include "cmd/session/call_paths.h"
 #include "cmd/session/settings.h"
 #include "io/fs/file.h"
+#include "io/formats/standards.h"
 
 struct journal {
 	size_t n, start;
@@ -115,6 +117,13 @@ remove_last_call_of(struct journal *j, const char *latest)
 		free(j->line[--j->n]);
 }
 
+bool
+journal_last_line_ends(const struct session *s, const char *end)
+{
+	const struct journal *j = s->journal;
+	return j->n > j->start && text_ends_with(j->line[j->n - 1], end);
+}
+
 void
 journal_add_line(struct session *s, const char *latest, const char *line, ...)
 {
@@ -190,6 +199,48 @@ append_path_of_option(char **line, const char *key, const char *path)
 	journal_append_word(line, whole);
 }
 
+/* Returns the length of the first part of a goal: a condition, in which a comma
+ * between digits is a decimal comma, or an envelope.  The name of a file is one
+ * part. */
+static size_t
+length_of_goal_part(const char *goal)
+{
+	if (access(goal, F_OK) == 0)
+		return strlen(goal);
+	size_t n = strcspn(goal, ",;");
+	while (n > 0 && goal[n] == ',' && isdigit((unsigned char)goal[n - 1]) &&
+	       isdigit((unsigned char)goal[n + 1]))
+		n += 1 + strcspn(goal + n + 1, ",;");
+	return n;
+}
+
+/* Appends the word of a goal, "goal=TEXT" or just its text, with the files of
+ * envelopes as absolute paths. */
+static void
+append_goal_setting(char **line, const char *word)
+{
+	static const char KEY[] = "goal=";
+	bool named = strncmp(word, KEY, sizeof KEY - 1) == 0;
+	FREED char *whole = xstrdup(named ? KEY : "");
+	const char *goal = word + strlen(whole);
+	for (const char *at = goal; *at != '\0';) {
+		size_t n = length_of_goal_part(at);
+		FREED char *copy = xstrndup(at, n);
+		const char *part = text_trim(copy);
+		bool condition =
+		    n < strlen(goal) && strpbrk(part, "<>=%") != NULL;
+		if (!condition && standards_is_file_path(part)) {
+			FREED char *path = absolute_path(part, NULL);
+			xappend(&whole, "%s", path + (*path == PATH_BEGINS));
+		} else
+			xappend(&whole, "%.*s", (int)n, at);
+		if (at[n] != '\0')
+			xappend(&whole, "%c", at[n++]);
+		at += n;
+	}
+	journal_append_word(line, whole);
+}
+
 void
 journal_add_file_check(
     struct session *s, const char *latest, const char *path, uint64_t digest)
@@ -216,6 +267,12 @@ is_option_not_saved(const struct command_option *o)
 	return strcmp(o->name, "pause") == 0 || strcmp(o->name, "out") == 0;
 }
 
+static bool
+is_goal_setting(const struct command_option *o)
+{
+	return o->kind == VALUE_TEXT && strcmp(o->name, "goal") == 0;
+}
+
 char *
 journal_call_as_saved(const struct args *args, const struct words *words)
 {
@@ -226,6 +283,10 @@ journal_call_as_saved(const struct args *args, const struct words *words)
 		const char *path = call_path_in_word(args, word, &o);
 		if (o != NULL && is_option_not_saved(o))
 			continue;
+		if (o != NULL && is_goal_setting(o)) {
+			append_goal_setting(&line, word);
+			continue;
+		}
 		if (path != NULL)
 			append_path_of_option(
 			    &line, path != word ? o->name : NULL, path);

@@ -37,6 +37,9 @@ void removed_lines_free(struct removed_lines *tail);
 void journal_add_line(struct session *s, const char *latest, const char *line,
     ...) __attribute__((format(printf, 3, 4)));
 
+/* True if there is a last line, and it ends so. */
+bool journal_last_line_ends(const struct session *s, const char *end);
+
 /* Adds a line that checks by its digest that a file is still the same, to come
  * before the line of the command that reads it.  latest: as for
  * journal_add_line. */

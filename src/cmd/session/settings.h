@@ -15,7 +15,7 @@
 enum correction { CORRECTION_ALL, CORRECTION_TRAIN, CORRECTION_OFF };
 
 /* The size of a text setting, and the text that stands for no value. */
-enum { SETTINGS_TEXT = 200 };
+enum { SETTINGS_TEXT = 4096 };
 #define SETTINGS_NONE "none"
 
 /* What is set rather than loaded: the settings, bounds, seed and timing. */

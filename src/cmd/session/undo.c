@@ -22,6 +22,7 @@ struct snapshot {
 	const struct pin *pin;
 	const struct energies *energy;
 	struct settings set;
+	struct last_asked asked;
 };
 
 static struct entry *
@@ -45,7 +46,8 @@ snapshot_take(const struct session *s)
 	    .spec = s->spec,
 	    .pin = s->pin,
 	    .energy = s->energy,
-	    .set = s->set};
+	    .set = s->set,
+	    .asked = s->last_asked};
 	return snapshot;
 }
 
@@ -71,6 +73,7 @@ restore_snapshot(struct session *s, const struct snapshot *snapshot)
 	s->pin = snapshot->pin;
 	s->energy = snapshot->energy;
 	s->set = snapshot->set;
+	s->last_asked = snapshot->asked;
 	session_forget_answers(s);
 }
 
