@@ -407,8 +407,9 @@ static bool
 handle_goal_field_key(struct tui *t, int code, bool special)
 {
 	FREED char *line = goal_handle_key(t, code, special);
-	if (line != NULL)
-		control_run_command(t, line);
+	if (line != NULL && control_run_command(t, line) &&
+	    !goals_is_set(t->session))
+		tui_say(t, false, "no goal any more: u brings it back");
 	return true;
 }
 

@@ -665,13 +665,16 @@ what_is_no_goal_stays_in_its_field(void **state)
 		type(t, ANEW[i].typed);
 		assert_string_equal(t->session->set.goal, ANEW[i].goal);
 	}
+	assert_non_null(strstr(t->message, "no goal any more"));
 	/* A sign of its own; a quantity alone is shown, and the goal stays. */
 	type(t, "t<6\n");
 	assert_string_equal(t->session->set.goal, "p80<6");
 	type(t, "tpassing 4\n");
 	assert_string_equal(t->session->set.goal, "p80<6");
 	assert_int_equal(t->ui.quantity.kind, QUANTITY_PASSING);
-	type(t, "tfin\t");
+	type(t, "t\t");
+	assert_string_equal(t->line.text, "p80<6");
+	type(t, "\033tfin\t");
 	assert_string_equal(t->line.text, "fines<");
 	type(t, "6\n");
 	draw_all(t);
