@@ -497,6 +497,9 @@ handle_typed_speed_key(struct tui *t, int code, bool special)
 		code = '.';
 	if (back || (!special && is_letter_of_typed_speed(y, code)))
 		return edit_type_letter(y, code, special, SPEED_LETTERS);
+	/* Behind "=" no letter is meant as a key of the page. */
+	if (!special && y->text[0] == '=' && code >= ' ')
+		return true;
 	if (code == '\n' || code == '\r') {
 		const char *text = y->text + (y->text[0] == '=');
 		if (*text != '\0')

@@ -135,6 +135,12 @@ a_speed_is_typed_with_its_unit(void **state)
 	type(t, "=7.2.\n");
 	assert_non_null(strstr(t->message, "expected a speed"));
 	assert_int_equal(tui_slider_position(t), 707);
+	/* What is no part of a speed is no key of the page either. */
+	type(t, "=bc7c0b");
+	assert_string_equal(t->speed.text, "=70");
+	assert_false(t->ui.band || t->ui.crosshair);
+	type(t, "\n");
+	assert_int_equal(tui_slider_position(t), 700);
 }
 
 /* Steps are whole rpm, and what is run and kept says them. */
