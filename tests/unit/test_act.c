@@ -403,6 +403,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	    tui_slider_position(t), slider_position(tui_slider_range(t), best));
 	view_predict_at_slider(t);
 	assert_string_equal(t->message, "the goal is met at 75.6 m/s");
+	assert_string_equal(t->command, "predict speed=75.6");
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
 	    session_answer_number(t->session, "find", "speed"), best, 1e-6);
