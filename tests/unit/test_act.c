@@ -1164,6 +1164,12 @@ the_goal_fills_the_page(void **state)
 	assert_float_equal(t->ui.quantity.x, 0.8, 1e-9);
 	screen = shown(t);
 	assert_non_null(strstr(screen, "75.6 m/s"));
+	assert_non_null(strstr(screen, " NO"));
+	free(screen);
+	type(t, "N");
+	draw_all(t);
+	screen = shown(t);
+	assert_null(strstr(screen, " NO"));
 	free(screen);
 	type(t, "\033");
 	assert_false(goal_is_viewed(t));
