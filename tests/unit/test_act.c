@@ -1258,6 +1258,30 @@ what_is_shown_is_saved_and_shown_again(void **state)
 }
 
 /* q, and tui again; what the page is is nothing to undo. */
+/* The slider's own line takes the place of a line like it only. */
+static void
+a_question_stays_when_the_slider_moves(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_update_state(t);
+	static const char *const TYPED[] = {
+	    ":predict 70 detail=on\n\033", "l", "l", ":predict 71\n", "l"};
+	for (size_t i = 0; i < ARRAY_LEN(TYPED); i++) {
+		type(t, TYPED[i]);
+		view_predict_at_slider(t);
+	}
+	char *text = NULL;
+	size_t n = 0;
+	FILE *memory = open_memstream(&text, &n);
+	journal_write_script(t->session, memory);
+	fclose(memory);
+	assert_non_null(
+	    strstr(text, "\npredict 70 detail=on\npredict speed=71.1\n"));
+	free(text);
+}
+
 static void
 what_is_left_is_found_again(void **state)
 {
@@ -2062,6 +2086,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(so_many_keys_are_pressed_and_no_more),
     ON_STAGE(a_picture_of_the_open_screen_owns_its_own),
     ON_STAGE(what_is_shown_is_saved_and_shown_again),
+    ON_STAGE(a_question_stays_when_the_slider_moves),
     ON_STAGE(what_is_left_is_found_again),
     ON_STAGE(long_commands_leave_the_screen_live),
     ON_STAGE(the_draws_after_a_fit_can_be_watched),
