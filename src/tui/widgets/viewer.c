@@ -272,8 +272,9 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
 	return true;
 }
 
-/* Returns true if a key changes results: a key pressed to close a text must not
- * do that.  A first calibration replaces nothing, so it may. */
+/* Returns true if a key changes results or the speed: a key pressed to close a
+ * text, or to go through it as in other programs, must not do that.  A first
+ * calibration replaces nothing, so it may. */
 static bool
 is_changing_key(const struct tui *t, const struct key *key)
 {
@@ -294,7 +295,8 @@ is_key_only_closing(struct tui *t, const struct key *key, int code, bool keys)
 	if (key->act == act_leave_screen || (keys && key->act == act_list_keys))
 		return true;
 	if (is_changing_key(t, key) && code != INTERRUPT)
-		tui_say(t, false, "%s again: %s", key->name, key->what);
+		tui_say(t, false, "%s again: %s", key->name,
+		    keys_shown_text(key->what, tui_slider_range(t).rotor > 0));
 	return is_changing_key(t, key);
 }
 
