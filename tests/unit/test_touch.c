@@ -336,6 +336,12 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	assert_true(t->viewer.text == NULL && !t->leave);
 	press(stage, "? ?");
 	assert_null(t->viewer.text);
+	int row, column;
+	press(stage, "? / c");
+	assert_true(find_text(stage, "Enter run it", &row, &column));
+	press(stage, "qq");
+	assert_false(find_text(stage, "Enter run it", &row, &column));
+	press(stage, "Esc Esc");
 	press(stage, "? 7 8 Enter");
 	assert_int_equal(tui_slider_position(t), 780);
 }

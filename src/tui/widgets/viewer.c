@@ -390,18 +390,19 @@ draw_searched_word(struct tui *t)
 	const struct area *hints = &t->layout.hints;
 	int number =
 	    v->keys || v->at < 0 ? 0 : count_matches_before(v, v->at + 1);
-	char *found =
-	    v->word.n == 0 ? NULL
-	    : v->keys
-		? xasprintf(tr("%zu keys"),
-		      keys_count_listed(t->ui.page, v->word.text))
-		: xasprintf(tr("%d lines"), count_matches_before(v, v->lines));
+	const size_t keys =
+	    v->keys ? keys_count_listed(t->ui.page, v->word.text) : 0;
+	char *found = v->word.n == 0 ? NULL
+		      : v->keys      ? xasprintf(tr("%zu keys"), keys)
+				     : xasprintf(tr("%d lines"),
+					   count_matches_before(v, v->lines));
 	if (number > 0 && found != NULL) {
 		FREED char *lines = found;
 		found = xasprintf(tr("line %d of %s"), number, lines);
 	}
 	int at = pane_draw_search_word(t, hints, v->word.text, found,
-	    v->keys          ? tr("Enter run it  Esc clear")
+	    keys > 0         ? tr("Enter run it  Esc clear")
+	    : v->keys        ? tr("Esc clear")
 	    : v->word.active ? tr("Enter keep  Esc clear")
 			     : tr("n next  N previous  Esc clear"));
 	free(found);
