@@ -202,7 +202,10 @@ confirm_replace_params(struct tui *t)
 	    entry->key);
 	bool yes = s->hooks.confirm(s, asks, false);
 	if (!yes)
-		tui_say(t, false, "not calibrated: the parameters stay");
+		tui_say(t, false,
+		    entry->has_fit
+			? N_("not calibrated again: the parameters stay")
+			: N_("not calibrated: the parameters stay"));
 	return yes;
 }
 

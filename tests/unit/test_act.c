@@ -1920,7 +1920,7 @@ f_asks_before_it_replaces_parameters(void **state)
 	control_update_state(t);
 	const struct origin *origin = t->session->entry[0].origin;
 	type(t, "f");
-	assert_string_equal(t->message, "not calibrated: the parameters stay");
+	assert_string_equal(t->message, "not calibrated again: the parameters stay");
 	assert_false(session_is_calibrating(t->session));
 	assert_ptr_equal(t->session->entry[0].origin, origin);
 	type(t, "a");
