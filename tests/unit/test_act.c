@@ -1174,8 +1174,7 @@ the_goal_fills_the_page(void **state)
 	type(t, "\033");
 	assert_false(goal_is_viewed(t));
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
-	type(t, "T");
-	type(t, "T");
+	type(t, "TT");
 	assert_false(goal_is_viewed(t));
 }
 
