@@ -194,6 +194,14 @@ keys q
 want 'IT IS OVER' "q leaves"
 [ "$(cat status)" = 0 ] && cmp -s before after && ! grep -q 'J/kg' screen
 result $? "and the terminal is as it was"
+start 80 24
+want '\[74\.0\]'
+keys f
+want 'calibrate it again'
+keys y
+want 'CALIBRATING'
+keys q
+want 'the calibration was stopped' "q says that it stops a calibration"
 
 # What is pasted is typed into an open line, and never run.
 # sums: what is in the folder, but for what the tests themselves write there.

@@ -270,22 +270,23 @@ read_prompt_line(const char *text)
 }
 
 /* Runs a line, and then a command that was typed instead of an answer to a
- * question that the line asked. */
-static void
+ * question that the line asked.  Returns the status of the last. */
+static int
 run_line_with_pager(struct session *s, const char *line, int number)
 {
 	struct pager pager;
 	typed_history_add(line);
 	pager_begin_capture(&pager, s);
-	batch_run_line(s, line, number, &pager);
+	int status = batch_run_line(s, line, number, &pager);
 	pager_end_capture(&pager);
 	FREED char *command = prompt.command;
 	prompt.command = NULL;
-	if (command != NULL)
-		run_line_with_pager(s, command, number);
+	return command != NULL ? run_line_with_pager(s, command, number)
+			       : status;
 }
 
-/* Runs what was typed up to Return: one line, or several that were pasted. */
+/* Runs what was typed up to Return: one line, or several that were pasted.
+ * After an error, the step that was offered is offered again. */
 static void
 run_pasted_lines(struct session *s, char *typed, int *number)
 {
@@ -304,8 +305,9 @@ run_pasted_lines(struct session *s, char *typed, int *number)
 		FREED char *joined = xasprintf("%s%s", prompt.before, line);
 		free(prompt.before);
 		prompt.before = xstrdup(more ? joined : "");
-		if (!more)
-			run_line_with_pager(s, joined, (*number)++);
+		if (!more && run_line_with_pager(s, joined, (*number)++) != 0 &&
+		    prompt.offer.line != NULL)
+			prompt.stage = -1;
 		if (signals_pending() != 0)
 			break;
 	}
@@ -374,14 +376,20 @@ classify_reply_to_offer(const char *typed)
 				 : REPLY_COMMAND;
 }
 
-/* Handles a line that answers the offer.  Returns false if the line is a
- * command instead. */
+/* Handles a line that answers the offer, or says that there is none.  Returns
+ * false if the line is a command instead. */
 static bool
 handle_answer_to_offer(struct session *s, const char *typed, int *number)
 {
 	enum reply reply = classify_reply_to_offer(typed);
 	bool offered = prompt.offer.line != NULL;
 	bool again = reply == REPLY_EMPTY && prompt.declined && !offered;
+	const bool answers = reply == REPLY_YES || reply == REPLY_NO;
+	if (prompt.before[0] == '\0' && answers && !offered) {
+		session_note(s, "nothing has been asked: type a command, or "
+				"'help'");
+		return true;
+	}
 	if (prompt.before[0] != '\0' ||
 	    !(again || (offered && reply != REPLY_COMMAND)))
 		return false;

@@ -16,8 +16,9 @@ enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
  * FIRST_ON_.. are for a key that acts on all pages: the ? list of those pages
  * shows it first.  AT_SPEED: the key acts at the slider's speed; if n, p or N
  * is still waiting for the speeds of the goal (act_go_to_goal_speed), the
- * slider goes there first.  CHANGES: the key changes results, see viewer.c.
- * RUNS_COMMAND: the key runs the command whose name is its hint. */
+ * slider goes there first.  CHANGES: the key changes results, the
+ * speed or the band, see viewer.c.  RUNS_COMMAND: the key runs the command
+ * whose name is its hint. */
 #define PAGE_BIT(NUMBER, name, heading, key) ON_##NUMBER = 1 << PAGE_##NUMBER,
 enum {
 	SCREEN_PAGES(PAGE_BIT) ON_ALL = (1 << PAGES) - 1,

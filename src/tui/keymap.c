@@ -202,7 +202,10 @@ confirm_replace_params(struct tui *t)
 	    entry->key);
 	bool yes = s->hooks.confirm(s, asks, false);
 	if (!yes)
-		tui_say(t, false, "not calibrated: the parameters stay");
+		tui_say(t, false,
+		    entry->has_fit
+			? N_("not calibrated again: the parameters stay")
+			: N_("not calibrated: the parameters stay"));
 	return yes;
 }
 
@@ -407,8 +410,9 @@ static bool
 handle_goal_field_key(struct tui *t, int code, bool special)
 {
 	FREED char *line = goal_handle_key(t, code, special);
-	if (line != NULL)
-		control_run_command(t, line);
+	if (line != NULL && control_run_command(t, line) &&
+	    !goals_is_set(t->session))
+		tui_say(t, false, "no goal any more: u brings it back");
 	return true;
 }
 
@@ -496,6 +500,9 @@ handle_typed_speed_key(struct tui *t, int code, bool special)
 		code = '.';
 	if (back || (!special && is_letter_of_typed_speed(y, code)))
 		return edit_type_letter(y, code, special, SPEED_LETTERS);
+	/* Behind "=" no letter is meant as a key of the page. */
+	if (!special && y->text[0] == '=' && code >= ' ')
+		return true;
 	if (code == '\n' || code == '\r') {
 		const char *text = y->text + (y->text[0] == '=');
 		if (*text != '\0')

@@ -212,9 +212,12 @@ tui_run(struct session *s)
 		if (offer != NULL)
 			tui_say(&t, false, "%s", offer);
 		run_screen_loop(&t);
+		const char *stopped = tui_stop_fit(&t);
 		control_close_screen(&t);
 		screen_close();
 		restore_cancel();
+		if (stopped[0] != '\0')
+			session_note(s, "%s", stopped);
 	}
 	signals_release_terminal(was);
 	signals_unblock();

@@ -135,6 +135,12 @@ a_speed_is_typed_with_its_unit(void **state)
 	type(t, "=7.2.\n");
 	assert_non_null(strstr(t->message, "expected a speed"));
 	assert_int_equal(tui_slider_position(t), 707);
+	/* What is no part of a speed is no key of the page either. */
+	type(t, "=bc7c0b");
+	assert_string_equal(t->speed.text, "=70");
+	assert_false(t->ui.band || t->ui.crosshair);
+	type(t, "\n");
+	assert_int_equal(tui_slider_position(t), 700);
 }
 
 /* Steps are whole rpm, and what is run and kept says them. */
@@ -397,6 +403,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	    tui_slider_position(t), slider_position(tui_slider_range(t), best));
 	view_predict_at_slider(t);
 	assert_string_equal(t->message, "the goal is met at 75.6 m/s");
+	assert_string_equal(t->command, "predict speed=75.6");
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
 	    session_answer_number(t->session, "find", "speed"), best, 1e-6);
@@ -665,13 +672,16 @@ what_is_no_goal_stays_in_its_field(void **state)
 		type(t, ANEW[i].typed);
 		assert_string_equal(t->session->set.goal, ANEW[i].goal);
 	}
+	assert_non_null(strstr(t->message, "no goal any more"));
 	/* A sign of its own; a quantity alone is shown, and the goal stays. */
 	type(t, "t<6\n");
 	assert_string_equal(t->session->set.goal, "p80<6");
 	type(t, "tpassing 4\n");
 	assert_string_equal(t->session->set.goal, "p80<6");
 	assert_int_equal(t->ui.quantity.kind, QUANTITY_PASSING);
-	type(t, "tfin\t");
+	type(t, "t\t");
+	assert_string_equal(t->line.text, "p80<6");
+	type(t, "\033tfin\t");
 	assert_string_equal(t->line.text, "fines<");
 	type(t, "6\n");
 	draw_all(t);
@@ -1154,12 +1164,17 @@ the_goal_fills_the_page(void **state)
 	assert_float_equal(t->ui.quantity.x, 0.8, 1e-9);
 	screen = shown(t);
 	assert_non_null(strstr(screen, "75.6 m/s"));
+	assert_non_null(strstr(screen, " NO"));
+	free(screen);
+	type(t, "N");
+	draw_all(t);
+	screen = shown(t);
+	assert_null(strstr(screen, " NO"));
 	free(screen);
 	type(t, "\033");
 	assert_false(goal_is_viewed(t));
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
-	type(t, "T");
-	type(t, "T");
+	type(t, "TT");
 	assert_false(goal_is_viewed(t));
 }
 
@@ -1242,6 +1257,30 @@ what_is_shown_is_saved_and_shown_again(void **state)
 }
 
 /* q, and tui again; what the page is is nothing to undo. */
+/* The slider's own line takes the place of a line like it only. */
+static void
+a_question_stays_when_the_slider_moves(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	control_update_state(t);
+	static const char *const TYPED[] = {
+	    ":predict 70 detail=on\n\033", "l", "l", ":predict 71\n", "l"};
+	for (size_t i = 0; i < ARRAY_LEN(TYPED); i++) {
+		type(t, TYPED[i]);
+		view_predict_at_slider(t);
+	}
+	char *text = NULL;
+	size_t n = 0;
+	FILE *memory = open_memstream(&text, &n);
+	journal_write_script(t->session, memory);
+	fclose(memory);
+	assert_non_null(
+	    strstr(text, "\npredict 70 detail=on\npredict speed=71.1\n"));
+	free(text);
+}
+
 static void
 what_is_left_is_found_again(void **state)
 {
@@ -1880,7 +1919,7 @@ f_asks_before_it_replaces_parameters(void **state)
 	control_update_state(t);
 	const struct origin *origin = t->session->entry[0].origin;
 	type(t, "f");
-	assert_string_equal(t->message, "not calibrated: the parameters stay");
+	assert_string_equal(t->message, "not calibrated again: the parameters stay");
 	assert_false(session_is_calibrating(t->session));
 	assert_ptr_equal(t->session->entry[0].origin, origin);
 	type(t, "a");
@@ -2046,6 +2085,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(so_many_keys_are_pressed_and_no_more),
     ON_STAGE(a_picture_of_the_open_screen_owns_its_own),
     ON_STAGE(what_is_shown_is_saved_and_shown_again),
+    ON_STAGE(a_question_stays_when_the_slider_moves),
     ON_STAGE(what_is_left_is_found_again),
     ON_STAGE(long_commands_leave_the_screen_live),
     ON_STAGE(the_draws_after_a_fit_can_be_watched),

@@ -31,6 +31,9 @@ a_condition_says_the_same_in_other_words(void **state)
 	    {"passing 2 at most 42", NAN, 42}, {"p80 at least 6.5", 6.5, NAN},
 	    {"58 % passes 2 mm", 58, 58}, {"58,5 % passing 2 mm", 58.5, 58.5},
 	    {"34 % passing 2 of 0/4", 34, 34}, {"34 % passing", NAN, NAN},
+	    {"36 % < 2 mm", 36, 36}, {"36 < 2 mm", NAN, NAN},
+	    {"<2 mm = 30", 30, 30}, {"2 mm >= 30", 30, NAN},
+	    {"2 mm = 30..32", 30, 32}, {"2 = 30", NAN, NAN},
 	    {"P80=6.5 mm", 6.5, 6.5}, {"p80 = 6e-1", 0.6, 0.6},
 	    {"0/2 of 0/4 >= 30", NAN, NAN}, {"P80 < 10001", NAN, NAN},
 	    {"passing 2 < 101", NAN, NAN}, {"cu < 10001", NAN, 10001}};

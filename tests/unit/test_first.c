@@ -143,6 +143,17 @@ a_sheet_is_opened_by_a_command_that_can_be_undone(void **state)
 	assert_string_equal(t->command, "load \"data/sites/borlange.csv\"");
 	assert_non_null(strstr(t->message, "press f to calibrate"));
 	assert_int_equal(stage->desk->session->n_entry, 1);
+	/* Once more, it takes the place of the site. */
+	press(t, "o");
+	choose(t, "data");
+	press(t, "Enter");
+	choose(t, "sites");
+	press(t, "Right");
+	choose(t, "borlange.csv");
+	press(t, "Enter");
+	assert_non_null(strstr(t->message, "loaded earlier"));
+	press(t, "u");
+	assert_int_equal(stage->desk->session->n_entry, 1);
 	press(t, "u");
 	assert_int_equal(stage->desk->session->n_entry, 0);
 	assert_true(shows("Open a sheet"));

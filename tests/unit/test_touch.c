@@ -327,10 +327,21 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	assert_null(t->viewer.text);
 	assert_false(session_is_calibrating(t->session));
 	assert_non_null(strstr(t->message, "f again"));
+	press(stage, "? b");
+	assert_false(t->ui.band);
+	assert_non_null(strstr(t->message, "b again"));
+	press(stage, "? p");
+	assert_non_null(strstr(t->message, "p again: to the limit"));
 	press(stage, "? q");
 	assert_true(t->viewer.text == NULL && !t->leave);
 	press(stage, "? ?");
 	assert_null(t->viewer.text);
+	int row, column;
+	press(stage, "? / c");
+	assert_true(find_text(stage, "Enter run it", &row, &column));
+	press(stage, "qq");
+	assert_false(find_text(stage, "Enter run it", &row, &column));
+	press(stage, "Esc Esc");
 	press(stage, "? 7 8 Enter");
 	assert_int_equal(tui_slider_position(t), 780);
 }

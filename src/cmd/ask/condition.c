@@ -195,22 +195,36 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 	    "expected a number, got '%s'\nuse a decimal point: %s", got, right);
 }
 
-/* Turns "58 % passes 2 mm", as answers put it, into "passing 2 mm = 58".
- * Returns NULL for other texts.  The caller frees it. */
+/* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passing
+ * 2 mm = 58".  Returns NULL for other texts.  The caller frees it. */
 static char *
 move_limit_to_end(const char *text)
 {
-	static const char *const VERBS[] = {"passing ", "passes "};
+	static const char *const VERBS[] = {"passing ", "passes ", "% <"};
 	size_t n = strspn(text, "0123456789.,");
-	const char *rest = text + n + strspn(text + n, " %");
+	const char *rest = text + n + strspn(text + n, " ");
 	for (size_t i = 0; n > 0 && i < ARRAY_LEN(VERBS); i++) {
-		size_t verb = strlen(VERBS[i]);
-		if (strncasecmp(rest, VERBS[i], verb) == 0 &&
-		    strpbrk(rest, "<>=") == NULL)
+		const char *verb =
+		    rest + (VERBS[i][0] == '%' ? 0 : strspn(rest, " %"));
+		size_t length = strlen(VERBS[i]);
+		if (strncasecmp(verb, VERBS[i], length) == 0 &&
+		    strpbrk(verb + length, "<>=") == NULL)
 			return xasprintf(
-			    "passing %s = %.*s", rest + verb, (int)n, text);
+			    "passing %s = %.*s", verb + length, (int)n, text);
 	}
 	return NULL;
+}
+
+/* Turns "<2 mm = 30", as the screen puts it, and "2 mm > 30" into a condition
+ * of "passing 2 mm".  Returns NULL for other texts.  The caller frees it. */
+static char *
+name_passing_of_size(const char *text)
+{
+	const char *size = text + (text[0] == '<');
+	const char *unit = size + strspn(size, "0123456789., ");
+	bool named = unit > size && strncmp(unit, "mm", 2) == 0 &&
+		     strpbrk(unit, "<>=") != NULL;
+	return named ? xasprintf("passing %s", size) : NULL;
 }
 
 /* Returns the text with words such as " at least " replaced by a sign.  The
@@ -224,6 +238,8 @@ replace_words_by_sign(const char *text)
 	} WORDS[] = {
 	    {" between ", '='}, {" at least ", '>'}, {" at most ", '<'}};
 	char *turned = move_limit_to_end(text);
+	if (turned == NULL)
+		turned = name_passing_of_size(text);
 	if (turned != NULL)
 		return turned;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {

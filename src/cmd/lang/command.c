@@ -158,9 +158,9 @@ command_nearest_name(const char *name)
 {
 	/* Names from other programs. */
 	static const char *const OTHERS[][2] = {{"close", "drop"},
-	    {"delete", "drop"}, {"full", "tui"}, {"full screen", "tui"},
-	    {"fullscreen", "tui"}, {"goal", "set goal"}, {"open", "load"},
-	    {"q", "quit"}, {"remove", "drop"}, {"rm", "drop"},
+	    {"delete", "drop"}, {"feed", "set feed"}, {"full", "tui"},
+	    {"full screen", "tui"}, {"fullscreen", "tui"}, {"goal", "set goal"},
+	    {"open", "load"}, {"q", "quit"}, {"remove", "drop"}, {"rm", "drop"},
 	    {"run", "calibrate"}, {"speed", "predict"}, {"store", "store list"},
 	    {"unload", "drop"}};
 	const char *nearest = NULL;

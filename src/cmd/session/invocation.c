@@ -202,7 +202,7 @@ invocation_journal_question(
     struct session *s, const char *command, const char *line)
 {
 	if (!is_result_redirected(s->invocation) && !session_is_calibrating(s))
-		journal_add_line(s, command, "%s", line);
+		journal_add_slider_line(s, command, line);
 	autosave_after_command(s, true, false);
 }
 

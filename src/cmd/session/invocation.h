@@ -58,8 +58,8 @@ void invocation_note_job_stopped(struct session *s, size_t steps);
 void invocation_journal_options(struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Adds to the journal the line of a question that no command asked.  If the
- * last line is a call of `command`, it is replaced. */
+/* Adds to the journal the line of a question that no command asked, see
+ * journal_add_slider_line. */
 void invocation_journal_question(
     struct session *s, const char *command, const char *line);
 

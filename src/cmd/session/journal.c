@@ -135,6 +135,35 @@ journal_add_line(struct session *s, const char *latest, const char *line, ...)
 	va_end(ap);
 }
 
+/* True for a line that names no more than a speed and the run of a feed, as the
+ * slider's do: "predict speed=74.0 feed=69". */
+static bool
+names_only_speeds(const char *line)
+{
+	static const char *const KEYS[] = {"speed=", "rpm=", "feed="};
+	for (line += strcspn(line, " "); *line == ' ';) {
+		line++;
+		for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
+			if (strncmp(line, KEYS[i], strlen(KEYS[i])) == 0)
+				line += strlen(KEYS[i]);
+		size_t number = strspn(line, "0123456789.");
+		line += number;
+		line += strncmp(line, "rpm", 3) == 0 ? 3 : 0;
+		if (number == 0)
+			return false;
+	}
+	return *line == '\0';
+}
+
+void
+journal_add_slider_line(
+    struct session *s, const char *command, const char *line)
+{
+	const struct journal *j = s->journal;
+	bool replaces = j->n > 0 && names_only_speeds(j->line[j->n - 1]);
+	journal_add_line(s, replaces ? command : NULL, "%s", line);
+}
+
 void
 journal_discard_all_lines(struct session *s)
 {

@@ -78,6 +78,7 @@ propose_guess_command(struct tui *t)
 static bool
 run_open_command(struct tui *t, const char *line, bool estimates)
 {
+	const size_t before = t->session->n_entry;
 	tui_stop_fit(t);
 	if (!control_run_command(t, line) || tui_current_entry(t) == NULL)
 		return false;
@@ -87,7 +88,12 @@ run_open_command(struct tui *t, const char *line, bool estimates)
 	if (estimates || products == 0)
 		propose_guess_command(t);
 	else if (!entry->has_params)
-		tui_say(t, false, "loaded %s: press f to calibrate", label);
+		tui_say(t, false,
+		    t->session->n_entry > before
+			? N_("loaded %s: press f to calibrate")
+			: N_("replaced %s, loaded earlier: press f to "
+			     "calibrate, u to undo"),
+		    label);
 	return true;
 }
 

@@ -372,7 +372,9 @@ goal_handle_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->line;
 	if (!special && code == '\t') {
-		if (t->goal_fresh)
+		/* A goal that is set is completed; what is only proposed makes
+		 * room for the list. */
+		if (t->goal_fresh && !goals_is_set(t->session))
 			edit_begin(y, "");
 		t->goal_fresh = false;
 		size_t next = edit_next_completion(y), n = y->n;

@@ -36,13 +36,6 @@ condition_value_now(const struct tui *t, const struct condition *c)
 		   : NAN;
 }
 
-static bool
-is_condition_met_now(const struct tui *t, const struct condition *c)
-{
-	double value = condition_value_now(t, c);
-	return !(value < c->least) && !(value > c->most) && !isnan(value);
-}
-
 /* Returns true if the speeds of the goal are known.  During a search, those
  * known are of the old parameters, while the values shown are of the new
  * ones. */
@@ -51,6 +44,31 @@ are_goal_speeds_known(const struct tui *t)
 {
 	return goal_is_known(t) &&
 	       session_entry_being_fitted(t->session) != tui_current_entry(t);
+}
+
+/* Returns true if the slider is as near as it gets to a speed that gives the
+ * value of the goal. */
+static bool
+is_slider_at_goal_value(const struct tui *t)
+{
+	const struct slider_range range = tui_slider_range(t);
+	bool at = false;
+	if (!are_goal_speeds_known(t))
+		return false;
+	const struct speed_search *found = t->view.goal.found;
+	for (size_t k = 0; k < found->n_root; k++)
+		at |= slider_position(range, found->root[k].speed) ==
+		      tui_slider_position(t);
+	return at;
+}
+
+static bool
+is_condition_met_now(const struct tui *t, const struct condition *c)
+{
+	double value = condition_value_now(t, c);
+	if (c->least == c->most)
+		return is_slider_at_goal_value(t);
+	return !(value < c->least) && !(value > c->most) && !isnan(value);
 }
 
 static void
@@ -106,9 +124,11 @@ condition_cell_text(const struct tui *t, size_t i, int column)
 	if (column == SPEEDS)
 		return condition_speeds_text(t, i);
 	if (column == HOLDS)
-		return xstrdup(c->least == c->most          ? ""
-			       : is_condition_met_now(t, c) ? tr("yes")
-							    : tr(" NO"));
+		return xstrdup(
+		    is_condition_met_now(t, c) ? tr("yes")
+		    : c->least == c->most && !are_goal_speeds_known(t)
+			? "-"
+			: tr(" NO"));
 	return isnan(value) ? xstrdup("-")
 			    : xasprintf("%.*f",
 				  quantities_decimals(&c->quantity), value);

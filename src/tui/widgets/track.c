@@ -432,8 +432,14 @@ move_slider_to_best(struct tui *t)
 					     : N_("no goal yet: t sets one"));
 		return;
 	}
+	const double from = tui_slider_speed(t);
 	tui_move_slider_to(t, best);
 	t->keep_message = true;
+	/* The next prediction shows its own command, and not the one before. */
+	if (tui_slider_speed(t) != from) {
+		free(t->command);
+		t->command = NULL;
+	}
 	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), best, NAN);
 	if (g->missed != NULL)
 		say_nearest_goal_speed(t, best, rpm);

@@ -272,8 +272,9 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
 	return true;
 }
 
-/* Returns true if a key changes results: a key pressed to close a text must not
- * do that.  A first calibration replaces nothing, so it may. */
+/* Returns true if a key changes results or the speed: a key pressed to close a
+ * text, or to go through it as in other programs, must not do that.  A first
+ * calibration replaces nothing, so it may. */
 static bool
 is_changing_key(const struct tui *t, const struct key *key)
 {
@@ -294,7 +295,8 @@ is_key_only_closing(struct tui *t, const struct key *key, int code, bool keys)
 	if (key->act == act_leave_screen || (keys && key->act == act_list_keys))
 		return true;
 	if (is_changing_key(t, key) && code != INTERRUPT)
-		tui_say(t, false, "%s again: %s", key->name, key->what);
+		tui_say(t, false, "%s again: %s", key->name,
+		    keys_shown_text(key->what, tui_slider_range(t).rotor > 0));
 	return is_changing_key(t, key);
 }
 
@@ -388,18 +390,19 @@ draw_searched_word(struct tui *t)
 	const struct area *hints = &t->layout.hints;
 	int number =
 	    v->keys || v->at < 0 ? 0 : count_matches_before(v, v->at + 1);
-	char *found =
-	    v->word.n == 0 ? NULL
-	    : v->keys
-		? xasprintf(tr("%zu keys"),
-		      keys_count_listed(t->ui.page, v->word.text))
-		: xasprintf(tr("%d lines"), count_matches_before(v, v->lines));
+	const size_t keys =
+	    v->keys ? keys_count_listed(t->ui.page, v->word.text) : 0;
+	char *found = v->word.n == 0 ? NULL
+		      : v->keys      ? xasprintf(tr("%zu keys"), keys)
+				     : xasprintf(tr("%d lines"),
+					   count_matches_before(v, v->lines));
 	if (number > 0 && found != NULL) {
 		FREED char *lines = found;
 		found = xasprintf(tr("line %d of %s"), number, lines);
 	}
 	int at = pane_draw_search_word(t, hints, v->word.text, found,
-	    v->keys          ? tr("Enter run it  Esc clear")
+	    keys > 0         ? tr("Enter run it  Esc clear")
+	    : v->keys        ? tr("Esc clear")
 	    : v->word.active ? tr("Enter keep  Esc clear")
 			     : tr("n next  N previous  Esc clear"));
 	free(found);
