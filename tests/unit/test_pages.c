@@ -421,6 +421,25 @@ the_sieve_asked_about_has_a_row(void **state)
 	}
 }
 
+/* With few rows the crosshair reads the run nearest to the slider, and the
+ * status has the reason that the panel has no room for. */
+static void
+few_rows_have_what_matters_at_the_speed(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp; calibrate population=200");
+	control_update_state(t);
+	press(t, "1 c");
+	assert_true(frame_has(stage, 24, "meas 74"));
+	assert_false(frame_has(stage, 24, "meas 69"));
+	press(t, "m ] c c");
+	assert_true(frame_has(stage, 24, "meas 79"));
+	press(t, "End ^L");
+	assert_true(frame_has(stage, 24, "beyond measured speeds"));
+	assert_non_null(strstr(row_of(stage, 22), "m/s beyond the measured"));
+}
+
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
@@ -440,6 +459,7 @@ main(void)
 	    ON_STAGE(small_screens_say_all_or_that_they_cut),
 	    ON_STAGE(an_extrapolated_size_says_so),
 	    ON_STAGE(the_sieve_asked_about_has_a_row),
+	    ON_STAGE(few_rows_have_what_matters_at_the_speed),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

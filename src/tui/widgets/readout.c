@@ -93,6 +93,8 @@ readout_draw(struct tui *t, const struct area *area)
 	bool pin = t->view.pinned.site[0] != '\0';
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
+	enum { ABOVE = 2 };
+	int room = area->rows - ABOVE - others;
 	snprintf(name, sizeof name, tr("crosshair %g mm"),
 	    units_mm(p->product.size[t->ui.crosshair_sieve]));
 	screen_text(area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name,
@@ -100,7 +102,8 @@ readout_draw(struct tui *t, const struct area *area)
 	draw_curve_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		if (run->product.n == 0 || row + others >= area->rows)
+		if (row + others >= area->rows ||
+		    !site_run_is_near_speed(site, r, p->speed, (size_t)room))
 			continue;
 		snprintf(name, sizeof name, tr("meas %g%s"), run->speed,
 		    run->repeat);
