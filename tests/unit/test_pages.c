@@ -440,6 +440,31 @@ few_rows_have_what_matters_at_the_speed(void **state)
 	assert_non_null(strstr(row_of(stage, 22), "m/s beyond the measured"));
 }
 
+/* With another feed than that of the runs their products are not compared, and
+ * the legend names both feeds. */
+static void
+another_feed_is_named_and_not_compared(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp; calibrate population=200");
+	control_update_state(t);
+	press(t, "1");
+	assert_non_null(strstr(row_of(stage, 15), "held out"));
+	assert_true(frame_has(stage, 24, "now vs 74"));
+	cmdline_run_line(t, "set feed data/sites/kiruna.csv@69");
+	press(t, "^L");
+	assert_null(strstr(row_of(stage, 15), "held out"));
+	assert_non_null(strstr(row_of(stage, 15), "feed kiruna.csv"));
+	assert_false(frame_has(stage, 24, "now vs"));
+	press(t, "c");
+	assert_false(frame_has(stage, 24, "meas 74"));
+	press(t, "c r");
+	assert_non_null(strstr(row_of(stage, 15), "feed of the sheet"));
+	resize(stage, 30, 100);
+	assert_non_null(strstr(row_of(stage, 0), "Tierp, with feed"));
+}
+
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
@@ -460,6 +485,7 @@ main(void)
 	    ON_STAGE(an_extrapolated_size_says_so),
 	    ON_STAGE(the_sieve_asked_about_has_a_row),
 	    ON_STAGE(few_rows_have_what_matters_at_the_speed),
+	    ON_STAGE(another_feed_is_named_and_not_compared),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);
