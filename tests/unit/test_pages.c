@@ -465,6 +465,50 @@ another_feed_is_named_and_not_compared(void **state)
 	assert_non_null(strstr(row_of(stage, 0), "Tierp, with feed"));
 }
 
+/* Every heading has room for the mark of the order, and rows that are not
+ * drawn are marked. */
+static void
+the_order_and_further_rows_are_marked(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "5");
+	for (int i = 0; i < LIST_COLUMNS; i++) {
+		press(t, "o");
+		assert_true(
+		    t->ui.sort == 0 || strchr(row_of(stage, 1), '^') != NULL);
+	}
+	assert_null(strstr(row_of(stage, 3), " v"));
+	resize(stage, 9, 80);
+	int rows = t->layout.body.rows + t->layout.legend.rows;
+	assert_int_equal(rows, 3);
+	press(t, "Home");
+	assert_int_equal(row_of(stage, rows)[79], 'v');
+	press(t, "End");
+	assert_int_equal(row_of(stage, 2)[79], '^');
+}
+
+static void
+what_keys_changed_is_said(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "3");
+	assert_true(frame_has(stage, 24, "f fit"));
+	assert_false(frame_has(stage, 24, "PRED"));
+	press(t, "+ + + + + + + +");
+	assert_non_null(strstr(t->message, "pace: as many"));
+	desk_expect(stage->desk, "use tierp; calibrate population=200");
+	control_update_state(t);
+	press(t, "1 b");
+	assert_non_null(strstr(t->message, "band on"));
+	press(t, "b");
+	assert_string_equal(t->message, "band off");
+	press(t, "3");
+	assert_false(frame_has(stage, 24, "f fit"));
+	assert_true(frame_has(stage, 24, "PRED"));
+}
+
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
@@ -486,6 +530,8 @@ main(void)
 	    ON_STAGE(the_sieve_asked_about_has_a_row),
 	    ON_STAGE(few_rows_have_what_matters_at_the_speed),
 	    ON_STAGE(another_feed_is_named_and_not_compared),
+	    ON_STAGE(the_order_and_further_rows_are_marked),
+	    ON_STAGE(what_keys_changed_is_said),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -253,7 +253,7 @@ fit_verdict_text(const struct tui *t, const struct entry *entry)
 	if (!search_shown_is_running(t->session, tui_current_entry(t)) ||
 	    !t->session->job.held_back)
 		return words;
-	char *stays = xasprintf(tr("stopped; the fit that stays: %s"), words);
+	char *stays = xasprintf(tr("stopped; this stays: %s"), words);
 	free(words);
 	return stays;
 }
@@ -396,11 +396,11 @@ draw_search_panel(struct tui *t)
 	bool can = entry == NULL || site_count_products(entry->site) > 0;
 	bool before = entry != NULL && entry->has_fit;
 	screen_text(side, 0, 0, 0, "%s",
-	    before ? tr("its search was not kept: f starts a new one")
+	    before ? tr("search not kept: f starts a new one")
 	    : can  ? tr("not calibrated yet: f starts")
 		   : tr("no product: type :guess"));
-	screen_text(side, 1, 0, 0, "%s",
-	    can ? tr("+ and -: generations a second") : "");
+	screen_text(
+	    side, 1, 0, 0, "%s", can ? tr("+ and -: pace of the search") : "");
 }
 
 /* ---- The generations and the plot ---- */

@@ -504,11 +504,14 @@ draw_fit_quality(const struct tui *t, const struct area *area)
 {
 	double fit = 100 * tui_current_entry(t)->fit.rmse,
 	       held = t->view.holdout;
-	screen_text(area, 1, 0, 0,
-	    !isfinite(held)        ? N_("fit %.2f points")
-	    : area->columns < WIDE ? N_("fit %.2f, held out %.1f")
-				   : N_("fit %.2f, held out %.1f points"),
-	    fit, held);
+	int decimals = fit < 10 && held < 10 ? 2 : 1;
+	if (!isfinite(held))
+		screen_text(area, 1, 0, 0, "fit %.2f points", fit);
+	else
+		screen_text(area, 1, 0, 0,
+		    area->columns < WIDE ? N_("fit %.*f, held out %.*f")
+					 : N_("fit %.*f, held out %.*f points"),
+		    decimals, fit, decimals, held);
 }
 
 /* Draws the light in reverse, because everything else depends on it, and below
