@@ -509,6 +509,19 @@ what_keys_changed_is_said(void **state)
 	assert_true(frame_has(stage, 24, "PRED"));
 }
 
+static void
+a_stopped_search_says_how_good_the_fit_is_that_stays(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp; calibrate population=200; "
+				 "calibrate population=64 pause=1");
+	control_update_state(t);
+	assert_true(t->session->job.held_back);
+	press(t, "2");
+	assert_true(frame_has(stage, 24, "stopped; this stays: good"));
+}
+
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
@@ -532,6 +545,7 @@ main(void)
 	    ON_STAGE(another_feed_is_named_and_not_compared),
 	    ON_STAGE(the_order_and_further_rows_are_marked),
 	    ON_STAGE(what_keys_changed_is_said),
+	    ON_STAGE(a_stopped_search_says_how_good_the_fit_is_that_stays),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);
