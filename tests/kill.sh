@@ -119,7 +119,7 @@ over prompt '^D' 0
 # A storm of sizes over a search at full speed, and the last one holds.
 enter idle
 keys : 'calibrate generations=1000000 tolerance=0 stall=0' Enter + + + + + + +
-want 'generations a second: as many as possible'
+want 'pace: as many generations as possible'
 awk 'BEGIN { srand(7); for (i = 0; i < 50; i++)
 	print 1 + int(300 * rand() ^ 2), 1 + int(100 * rand() ^ 2) }' >sizes
 while read -r columns rows; do

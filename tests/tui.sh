@@ -417,7 +417,7 @@ gesture 'site  *rock.*parameters' "also while a speed is typed" \
 	"0;$sites;1M" "0;$sites;1m"
 keys '?' / by
 press '65;40;10M'
-want '^/by  7 keys ' "the wheel types nothing into the word to find"
+want '^/by  9 keys ' "the wheel types nothing into the word to find"
 keys Escape
 want '^  Left Right '
 keys q q
@@ -427,6 +427,8 @@ want 'IT IS OVER'
 # without a button.
 start 80 24 TERM=tmux-256color
 want '\[74\.0\]'
+keys -H 1b 5b 43
+want '\[74\.1\]' "an arrow as sent where cursor keys are not in their own mode"
 # shellcheck disable=SC2046
 press() { keys -H 1b 5b 4d $(printf '%x ' $((32 + $1)) $((32 + $2)) $((32 + $3))); }
 gesture '\[65\.0\]' "a click coded as X10 has it" '0 5 21' '3 5 21'

@@ -38,6 +38,16 @@ page_tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 	return text;
 }
 
+/* Returns the site's name, with a feed that is not its own if there is room. */
+static char *
+short_site_label(const struct tui *t, int columns)
+{
+	const char *name = tui_site(t)->name, *other = tui_other_feed(t);
+	FREED char *with = xasprintf(tr("%s, with %s"), name, other);
+	bool fits = text_width_in_columns(with) < columns;
+	return xstrdup(other[0] != '\0' && fits ? with : name);
+}
+
 static void
 draw_header(struct tui *t)
 {
@@ -55,11 +65,13 @@ draw_header(struct tui *t)
 		? session_site_label(tui_entry_for_prediction(t)->site)
 	    : left.columns < 18 ? xstrdup(tr("no site"))
 				: xstrdup(tr("no site is loaded"));
-	bool room = text_width_in_columns(label) + 11 <= left.columns,
-	     fits =
-		 text_width_in_columns(label) < left.columns || entry == NULL;
+	bool room = text_width_in_columns(label) + 11 <= left.columns;
+	if (text_width_in_columns(label) >= left.columns && entry != NULL) {
+		free(label);
+		label = short_site_label(t, left.columns);
+	}
 	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s",
-	    room ? tr("tipspeed  ") : "", fits ? label : entry->site->name);
+	    room ? tr("tipspeed  ") : "", label);
 	column = column < 0 ? 0 : column;
 	for (size_t p = 0; p < PAGES; p++) {
 		int from = column;

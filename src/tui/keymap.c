@@ -255,14 +255,13 @@ act_change_search_pace(struct tui *t, const struct key *key)
 	    (int)pane_clamp_index((size_t)from, key->amount, PACE_COUNT);
 	t->due = t->clock;
 	if (t->ui.pace == PACE_AUTO)
-		tui_say(t, false,
-		    "generations a second: fewer while the best improves fast");
+		tui_say(t, false, "pace: slower while the best improves fast");
 	else if (t->ui.pace == PACE_FULL)
-		tui_say(t, false, "generations a second: as many as possible");
+		tui_say(t, false, "pace: as many generations as possible");
 	else
 		tui_say(t, false,
-		    tr_n("speed of display: %g generation a second",
-			"speed of display: %g generations a second",
+		    tr_n("pace: %g generation a second",
+			"pace: %g generations a second",
 			PACES[t->ui.pace] > 1 ? 2 : 1),
 		    PACES[t->ui.pace]);
 }
@@ -303,6 +302,8 @@ act_toggle_band(struct tui *t, const struct key *key)
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);
 	t->ui.band = !t->ui.band;
+	if (!t->ui.band)
+		tui_say(t, false, "band off");
 	if (!t->ui.band || t->view.current.site[0] == '\0')
 		return;
 	bool known = t->view.shown.low != NULL;

@@ -135,14 +135,13 @@ draw_legend_limits(const struct tui *t, int column, bool ascii)
 }
 
 /* Names the mark of each run, and says how many runs are not drawn.  Sets
- * *moved to whether any product was moved to the feed. */
+ * *moved if any product was moved to the feed. */
 static int
 draw_legend_runs(const struct tui *t, int column, bool *moved)
 {
 	const struct entry *entry = tui_current_entry(t);
 	const struct site *site = entry->site;
 	char text[64];
-	*moved = false;
 	for (size_t r = 0; r < site->n_run; r++) {
 		bool held_out = !entry->train[r];
 		if (site_run_repeats_speed(site, r) ||
@@ -169,18 +168,30 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 	return column;
 }
 
+/* Returns the name of the feed drawn.  runs: it is that of the runs, not of the
+ * prediction. */
+static char *
+legend_feed_name(const struct tui *t, bool runs)
+{
+	const struct site *site = tui_site(t);
+	const char *other = tui_other_feed(t);
+	if (other[0] != '\0')
+		return xstrdup(runs ? tr("feed of the sheet") : other);
+	if (runs || !site->individual_feeds || !(t->ui.feed > 0))
+		return xstrdup(tr("feed"));
+	return xasprintf(
+	    "%s %g", tr("feed"), answers_speed_number(site, t->ui.feed));
+}
+
 /* Names the feed and, if there is room, says that measured products are moved
  * to it. */
 static int
 draw_legend_feed(
-    const struct tui *t, int column, const char *line, bool own, bool moved)
+    const struct tui *t, int column, const char *line, bool runs, bool moved)
 {
-	FREED char *which =
-	    own ? xasprintf(" %g", answers_speed_number(
-				       tui_current_entry(t)->site, t->ui.feed))
-		: xstrdup("");
-	FREED char *feed = xasprintf(tr("%s feed%s"), line, which);
-	FREED char *words = xasprintf(tr("moved to %s"), feed);
+	FREED char *name = legend_feed_name(t, runs);
+	FREED char *feed = xasprintf("%s %s", line, name);
+	FREED char *words = xasprintf(tr("%s, runs moved"), feed);
 	int after = column;
 	if (moved)
 		after =
@@ -201,7 +212,6 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 	int column = 0;
 	if (entry == NULL)
 		return;
-	const struct site *site = entry->site;
 	bool runs = request->kind == PLOT_RUNS;
 	if (runs && entry->has_params)
 		column = draw_legend_curve_name(t, column, SERIES_TEXT, 0,
@@ -221,13 +231,14 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 	if (request->kept != NULL)
 		column = draw_legend_curve_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
-	bool moved, own = site->individual_feeds && t->ui.feed > 0 && !runs;
-	column = draw_legend_runs(t, column, &moved);
+	bool moved = false;
+	if (runs || tui_other_feed(t)[0] == '\0')
+		column = draw_legend_runs(t, column, &moved);
 	column = draw_legend_feed(t, column,
 	    ascii  ? "."
 	    : runs ? "\u2500"
 		   : "\u2508",
-	    own, moved && !runs);
+	    runs, moved && !runs);
 	if (runs || t->view.current.site[0] == '\0')
 		return;
 	int after = draw_legend_curve_name(t, column, SERIES_BREAK, 0,

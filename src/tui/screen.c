@@ -68,6 +68,12 @@ set_terminal_modes(void)
 	set_escdelay(25);
 	/* Sequences that most terminals send, whatever their descriptions
 	 * say. */
+	define_key("\033[A", KEY_UP);
+	define_key("\033[B", KEY_DOWN);
+	define_key("\033[C", KEY_RIGHT);
+	define_key("\033[D", KEY_LEFT);
+	define_key("\033[H", KEY_HOME);
+	define_key("\033[F", KEY_END);
 	define_key("\033[1;2D", KEY_SLEFT);
 	define_key("\033[1;2C", KEY_SRIGHT);
 	define_key("\033[1~", KEY_HOME);

@@ -125,6 +125,12 @@ tui_feed_curve(const struct tui *t)
 	    tui_entry_for_prediction(t)->site, tui_feed_run(t));
 }
 
+const char *
+tui_other_feed(const struct tui *t)
+{
+	return tui_entry_for_prediction(t)->site->with;
+}
+
 /* Returns the parameters by which measured products are moved to the feed, or
  * NULL.  They are those of the prediction shown beside them, and are written to
  * `room`. */

@@ -385,6 +385,10 @@ const struct psd *tui_feed_curve(const struct tui *t);
 void tui_set_feed_from_answer(struct tui *t);
 void tui_set_feed_from_setting(struct tui *t);
 
+/* Returns what the slider's predictions have instead of the runs' feed, "feed
+ * b.csv", or "".  Measured products are then not compared with them. */
+const char *tui_other_feed(const struct tui *t);
+
 /* Returns the measured product of a run as shown with the prediction, see
  * product_moved_to_feed. */
 const struct psd *tui_measured_product(const struct tui *t, size_t run);

@@ -1145,7 +1145,7 @@ the_goal_fills_the_page(void **state)
 	char *screen = shown(t);
 	assert_non_null(strstr(screen, "70.8 to 78.0 m/s"));
 	assert_non_null(
-	    strstr(screen, "all met at 74.0 m/s: chance over 99 %"));
+	    strstr(screen, "chance of all at 74.0 m/s: over 99 %"));
 	free(screen);
 	type(t, "]");
 	draw_all(t);

@@ -124,6 +124,26 @@ the_keys_of_the_open_page_come_first(void **state)
 	}
 }
 
+/* A page's list says what its keys do there, and has no key without a function
+ * there. */
+static void
+lists_say_what_keys_do_on_the_page(void **state)
+{
+	(void)state;
+	char *text = NULL;
+	size_t n = 0;
+	FILE *out = open_memstream(&text, &n);
+	assert_non_null(out);
+	keys_print_list(PAGE_DATA, "", false, out);
+	fclose(out);
+	assert_non_null(strstr(text, "by five columns"));
+	assert_non_null(strstr(text, "a screen of rows"));
+	assert_null(strstr(text, "by 5 m/s"));
+	assert_null(strstr(text, "find a word"));
+	assert_null(strstr(text, "t T"));
+	free(text);
+}
+
 static void
 keys_are_called_by_every_name(void **state)
 {
@@ -163,6 +183,7 @@ main(void)
 	    cmocka_unit_test(second_ways_do_the_same),
 	    cmocka_unit_test(the_list_has_every_name),
 	    cmocka_unit_test(the_keys_of_the_open_page_come_first),
+	    cmocka_unit_test(lists_say_what_keys_do_on_the_page),
 	    cmocka_unit_test(keys_are_called_by_every_name),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -421,6 +421,107 @@ the_sieve_asked_about_has_a_row(void **state)
 	}
 }
 
+/* With few rows the crosshair reads the run nearest to the slider, and the
+ * status has the reason that the panel has no room for. */
+static void
+few_rows_have_what_matters_at_the_speed(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp; calibrate population=200");
+	control_update_state(t);
+	press(t, "1 c");
+	assert_true(frame_has(stage, 24, "meas 74"));
+	assert_false(frame_has(stage, 24, "meas 69"));
+	press(t, "m ] c c");
+	assert_true(frame_has(stage, 24, "meas 79"));
+	press(t, "End ^L");
+	assert_true(frame_has(stage, 24, "beyond measured speeds"));
+	assert_non_null(strstr(row_of(stage, 22), "m/s beyond the measured"));
+}
+
+/* With another feed than that of the runs their products are not compared, and
+ * the legend names both feeds. */
+static void
+another_feed_is_named_and_not_compared(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp; calibrate population=200");
+	control_update_state(t);
+	press(t, "1");
+	assert_non_null(strstr(row_of(stage, 15), "held out"));
+	assert_true(frame_has(stage, 24, "now vs 74"));
+	cmdline_run_line(t, "set feed data/sites/kiruna.csv@69");
+	press(t, "^L");
+	assert_null(strstr(row_of(stage, 15), "held out"));
+	assert_non_null(strstr(row_of(stage, 15), "feed kiruna.csv"));
+	assert_false(frame_has(stage, 24, "now vs"));
+	press(t, "c");
+	assert_false(frame_has(stage, 24, "meas 74"));
+	press(t, "c r");
+	assert_non_null(strstr(row_of(stage, 15), "feed of the sheet"));
+	resize(stage, 30, 100);
+	assert_non_null(strstr(row_of(stage, 0), "Tierp, with feed"));
+}
+
+/* Every heading has room for the mark of the order, and rows that are not
+ * drawn are marked. */
+static void
+the_order_and_further_rows_are_marked(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "5");
+	for (int i = 0; i < LIST_COLUMNS; i++) {
+		press(t, "o");
+		assert_true(
+		    t->ui.sort == 0 || strchr(row_of(stage, 1), '^') != NULL);
+	}
+	assert_null(strstr(row_of(stage, 3), " v"));
+	resize(stage, 9, 80);
+	int rows = t->layout.body.rows + t->layout.legend.rows;
+	assert_int_equal(rows, 3);
+	press(t, "Home");
+	assert_int_equal(row_of(stage, rows)[79], 'v');
+	press(t, "End");
+	assert_int_equal(row_of(stage, 2)[79], '^');
+}
+
+static void
+what_keys_changed_is_said(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "3");
+	assert_true(frame_has(stage, 24, "f fit"));
+	assert_false(frame_has(stage, 24, "PRED"));
+	press(t, "+ + + + + + + +");
+	assert_non_null(strstr(t->message, "pace: as many"));
+	desk_expect(stage->desk, "use tierp; calibrate population=200");
+	control_update_state(t);
+	press(t, "1 b");
+	assert_non_null(strstr(t->message, "band on"));
+	press(t, "b");
+	assert_string_equal(t->message, "band off");
+	press(t, "3");
+	assert_false(frame_has(stage, 24, "f fit"));
+	assert_true(frame_has(stage, 24, "PRED"));
+}
+
+static void
+a_stopped_search_says_how_good_the_fit_is_that_stays(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, "use tierp; calibrate population=200; "
+				 "calibrate population=64 pause=1");
+	control_update_state(t);
+	assert_true(t->session->job.held_back);
+	press(t, "2");
+	assert_true(frame_has(stage, 24, "stopped; this stays: good"));
+}
+
 #define ON_STAGE(test) \
 	cmocka_unit_test_setup_teardown(test, stage_open, stage_close)
 
@@ -440,6 +541,11 @@ main(void)
 	    ON_STAGE(small_screens_say_all_or_that_they_cut),
 	    ON_STAGE(an_extrapolated_size_says_so),
 	    ON_STAGE(the_sieve_asked_about_has_a_row),
+	    ON_STAGE(few_rows_have_what_matters_at_the_speed),
+	    ON_STAGE(another_feed_is_named_and_not_compared),
+	    ON_STAGE(the_order_and_further_rows_are_marked),
+	    ON_STAGE(what_keys_changed_is_said),
+	    ON_STAGE(a_stopped_search_says_how_good_the_fit_is_that_stays),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -281,7 +281,7 @@ a_word_filters_the_rows(void **state)
 	assert_int_equal(t->cursor.column, 4);
 	assert_true(find_text(stage, "/bro  1 of 3", &row, &column));
 	press(stage, "Esc 1 /");
-	assert_non_null(strstr(t->message, "no list"));
+	assert_non_null(strstr(t->message, "no function"));
 }
 
 static void

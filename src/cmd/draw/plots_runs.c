@@ -29,9 +29,9 @@ is_feed_drawn_already(const struct site *site, size_t run)
 	return false;
 }
 
-/* Adds the feeds in grey, each once. */
+/* Adds the feeds in grey, each once.  own: the question has another. */
 static void
-add_distinct_feed_curves(struct chart *chart, const struct site *site)
+add_distinct_feed_curves(struct chart *chart, const struct site *site, bool own)
 {
 	static const enum chart_line LINES[] = {
 	    CHART_SOLID, CHART_LONG, CHART_DOTTED};
@@ -50,7 +50,7 @@ add_distinct_feed_curves(struct chart *chart, const struct site *site)
 		    &r->feed, NULL,
 		    site->individual_feeds && r->speed > 0
 			? xasprintf(tr("feed %s%s"), speed, r->repeat)
-			: xstrdup(tr("feed")));
+			: xstrdup(own ? tr("feed of the sheet") : tr("feed")));
 		n++;
 	}
 }
@@ -142,7 +142,8 @@ add_curves_of_all_runs(struct chart *chart, const struct session *s,
 	const struct entry *entry = entry_without_scenario(q->asked.entry);
 	const struct site *site = entry->site;
 	double middle = site_middle_speed(site);
-	add_distinct_feed_curves(chart, site);
+	add_distinct_feed_curves(
+	    chart, site, q->asked.entry->site->with[0] != '\0');
 	for (size_t i = 0; i < site->n_run; i++)
 		if (site_run_is_near_speed(site, i, middle, SITE_CHART_SPEEDS))
 			add_run_and_predicted_curve(chart, s, entry, params, i);

@@ -445,12 +445,15 @@ draw_data_source(const struct tui *t, const struct area *area, int row)
 	} MORE[] = {{N_("machine"), site->machine},
 	    {N_("read as"), site->read_as}, {N_("assumed"), site->assumed},
 	    {N_("remark"), site->remark}, {N_("data"), data}};
-	row = screen_draw_wrapped(area, row, LOOK_DIM,
-	    answers_is_sheet_in_rpm(site)
-		? tr("columns: feed and product at each speed, rpm, % passing; "
-		     "* training; PRED: at the slider")
-		: tr("columns: feed and product at each speed, m/s, % passing; "
-		     "* training; PRED: at the slider"));
+	FREED char *columns =
+	    xstrdup(answers_is_sheet_in_rpm(site)
+			? tr("columns: feed and product at each speed, rpm, % "
+			     "passing; * training")
+			: tr("columns: feed and product at each speed, m/s, % "
+			     "passing; * training"));
+	if (has_room_for_prediction(t, &t->layout.body))
+		xappend(&columns, "%s", tr("; PRED: at the slider"));
+	row = screen_draw_wrapped(area, row, LOOK_DIM, columns);
 	for (size_t i = 0; i < ARRAY_LEN(MORE); i++) {
 		if (MORE[i].text[0] == '\0' || row >= area->rows)
 			continue;
@@ -585,6 +588,12 @@ static const char *
 data_hints(const struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
+	const struct entry *entry = tui_current_entry(t);
+	if (entry != NULL && !entry->has_params && h->looked &&
+	    site_count_products(entry->site) > 0)
+		return h->doctor.n == 0
+			   ? N_("<-/-> column  Up/Down  f  ?  q  1-5 pages  :")
+			   : N_("<-/-> column  Up/Down  !  Enter  f  ?  q  :");
 	return h->looked && h->doctor.n == 0
 		   ? N_("<-/-> column  Up/Down  ?  q  1-5 pages  :")
 		   : N_("<-/-> column  Up/Down  !  Enter  ?  q  1-5 pages  :");

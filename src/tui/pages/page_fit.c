@@ -237,25 +237,23 @@ draw_search_effort(const struct tui *t, int row)
 	return row + 1;
 }
 
-/* Returns "converged; seed 1; doubtful: ..", with the first reason.  If the
- * search shown did not replace the fit, says that first.  The caller frees
- * it. */
+/* Returns "converged; seed 1; doubtful: ..", with the first reason or, if the
+ * search shown did not replace the fit, "stopped; this stays: doubtful: ..".
+ * The caller frees it. */
 static char *
 fit_verdict_text(const struct tui *t, const struct entry *entry)
 {
 	struct trust light = trust_in_answer_or_fit(t->session, entry, NULL);
-	char *words = xasprintf(tr("%s; seed %llu; %s%s%s"),
-	    stop_reason_text(entry->fit.stop),
-	    (unsigned long long)entry->fit.seed,
+	FREED char *verdict = xasprintf("%s%s%s",
 	    verdict_on_fit(t->session, entry, NULL), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
-	if (!search_shown_is_running(t->session, tui_current_entry(t)) ||
-	    !t->session->job.held_back)
-		return words;
-	char *stays = xasprintf(tr("stopped; the fit that stays: %s"), words);
-	free(words);
-	return stays;
+	if (search_shown_is_running(t->session, tui_current_entry(t)) &&
+	    t->session->job.held_back)
+		return xasprintf(tr("stopped; this stays: %s"), verdict);
+	return xasprintf(tr("%s; seed %llu; %s"),
+	    stop_reason_text(entry->fit.stop),
+	    (unsigned long long)entry->fit.seed, verdict);
 }
 
 static char *
@@ -396,11 +394,11 @@ draw_search_panel(struct tui *t)
 	bool can = entry == NULL || site_count_products(entry->site) > 0;
 	bool before = entry != NULL && entry->has_fit;
 	screen_text(side, 0, 0, 0, "%s",
-	    before ? tr("its search was not kept: f starts a new one")
+	    before ? tr("search not kept: f starts a new one")
 	    : can  ? tr("not calibrated yet: f starts")
 		   : tr("no product: type :guess"));
-	screen_text(side, 1, 0, 0, "%s",
-	    can ? tr("+ and -: generations a second") : "");
+	screen_text(
+	    side, 1, 0, 0, "%s", can ? tr("+ and -: pace of the search") : "");
 }
 
 /* ---- The generations and the plot ---- */

@@ -156,8 +156,8 @@ draw_goal_probability(const struct tui *t, const struct area *area)
 	FREED char *percent = conditions_probability_text(certain);
 	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), speed, NAN);
 	screen_text(area, 0, 0, LOOK_BOLD,
-	    t->view.goal.list.n > 1 ? N_("all met at %.1f m/s%s: chance %s")
-				    : N_("met at %.1f m/s%s: chance %s"),
+	    t->view.goal.list.n > 1 ? N_("chance of all at %.1f m/s%s: %s")
+				    : N_("chance at %.1f m/s%s: %s"),
 	    speed, rpm, percent);
 }
 

@@ -299,10 +299,13 @@ table_draw_head(struct tui *t, const struct list_table *table,
 	snprintf(text, sizeof text, "%*s%s", of->indent, "", tr(of->head));
 	int room = cell->columns - text_width_in_columns(text);
 	int from = of->right && room > 0 ? room : 0;
-	int end = screen_text(cell, 0, from,
-	    LOOK_BOLD | (sorted ? LOOK_REVERSE : LOOK_PLAIN), "%s", text);
-	if (sorted && (from > 0 || end < cell->columns))
-		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
+	unsigned look = LOOK_BOLD | (sorted ? LOOK_REVERSE : LOOK_PLAIN);
+	int end = screen_text(cell, 0, from, look, "%s", text);
+	/* A blank column follows the cell. */
+	struct area wide = *cell;
+	wide.columns++;
+	if (sorted)
+		screen_text(&wide, 0, from > 0 ? from - 1 : end, look, "%s",
 		    t->ui.sort_down ? "v" : "^");
 	if (table->sort != NULL)
 		hits_add(&t->hits, HIT_PRESS, area_of_row(cell, 0),
@@ -348,15 +351,36 @@ table_draw_row(struct tui *t, const struct area *line, size_t i, unsigned look,
 	}
 }
 
+/* Marks at the right that there are rows above or below those drawn. */
+static void
+draw_marks_of_more_rows(struct tui *t, const struct area *area)
+{
+	size_t first = current_list_state(t)->top, last = first;
+	for (int row = 2; row < area->rows; row++)
+		last = next_matching_row(t, last, 1);
+	if (next_matching_row(t, first, -1) != first)
+		screen_text(area, 1, area->columns - 1, LOOK_BOLD, "^");
+	if (next_matching_row(t, last, 1) != last)
+		screen_text(
+		    area, area->rows - 1, area->columns - 1, LOOK_BOLD, "v");
+}
+
 void
 table_draw(struct tui *t, const struct area *area,
     const struct list_table *table, const int wanted[static LIST_COLUMNS])
 {
 	struct table_drawn drawn = {.table = table};
 	struct area rows = *area, head = area_cut(&rows, EDGE_TOP, 1);
-	table_fit_columns(table, area->columns, wanted, drawn.width);
+	/* The rows of a goal, which are not sorted, need the whole width. */
+	const bool more =
+	    table->sort != NULL && (int)list_count_matching(t) > rows.rows;
+	if (more)
+		rows.columns = head.columns = area->columns - 1;
+	table_fit_columns(table, rows.columns, wanted, drawn.width);
 	table_draw_row(t, &head, SIZE_MAX, LOOK_PLAIN, &drawn);
 	list_draw_rows(t, &rows, table_draw_row, &drawn);
+	if (more)
+		draw_marks_of_more_rows(t, area);
 }
 
 /* ---- Keys ---- */
@@ -412,9 +436,7 @@ act_type_filter(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!has_searchable_rows(current_list(t))) {
-		tui_say(t, false,
-		    "this page has no list to look through: Sites, ? and texts "
-		    "have one");
+		tui_say(t, false, "there are no rows to look through");
 		return;
 	}
 	t->message[0] = '\0';

@@ -476,7 +476,7 @@ static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
     [TRUST_DATA] = N_("few or doubtful data"),
     [TRUST_PATTERN] = N_("residuals have a pattern"),
     [TRUST_HOLDOUT] = N_("held-out run is missed"),
-    [TRUST_BEYOND] = N_("beyond the measured speeds"),
+    [TRUST_BEYOND] = N_("beyond measured speeds"),
     [TRUST_SLOW] = N_("slower, less may break"),
     [TRUST_BAND] = N_("the band is wide"),
     [TRUST_FEED] = N_("unusual feed"),
@@ -485,8 +485,8 @@ static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
     [TRUST_ORIGIN] = N_("not calibrated here")};
 
 /* Draws as much of a reason as there is room for: all of it, what stands before
- * its colon, or its cause in a few words. */
-static void
+ * its colon, or its cause in a few words.  Returns false for a few words. */
+static bool
 draw_trust_reason(const struct area *area, const struct trust_reason *reason)
 {
 	const int rows = area->rows - 1;
@@ -496,6 +496,7 @@ draw_trust_reason(const struct area *area, const struct trust_reason *reason)
 		*colon = '\0';
 	bool fits = text_count_rows(text, area->columns) <= rows;
 	screen_draw_wrapped(area, 1, 0, fits ? text : tr(ABOUT[reason->cause]));
+	return fits;
 }
 
 static void
@@ -503,11 +504,14 @@ draw_fit_quality(const struct tui *t, const struct area *area)
 {
 	double fit = 100 * tui_current_entry(t)->fit.rmse,
 	       held = t->view.holdout;
-	screen_text(area, 1, 0, 0,
-	    !isfinite(held)        ? N_("fit %.2f points")
-	    : area->columns < WIDE ? N_("fit %.2f, held out %.1f")
-				   : N_("fit %.2f, held out %.1f points"),
-	    fit, held);
+	int decimals = fit < 10 && held < 10 ? 2 : 1;
+	if (!isfinite(held))
+		screen_text(area, 1, 0, 0, "fit %.2f points", fit);
+	else
+		screen_text(area, 1, 0, 0,
+		    area->columns < WIDE ? N_("fit %.*f, held out %.*f")
+					 : N_("fit %.*f, held out %.*f points"),
+		    decimals, fit, decimals, held);
 }
 
 /* Draws the light in reverse, because everything else depends on it, and below
@@ -534,7 +538,8 @@ panel_draw_light(struct tui *t, const struct area *area)
 	    area, 0, 0, SERIES[light->light], LOOK_BOLD | LOOK_REVERSE, row);
 	hits_add(&t->hits, HIT_PRESS, *area, on_click_verdict, 0);
 	if (light->n > 0)
-		draw_trust_reason(area, trust_reason_to_show(light));
+		t->reason_shown =
+		    draw_trust_reason(area, trust_reason_to_show(light));
 	else if (tui_current_entry(t)->has_fit)
 		draw_fit_quality(t, area);
 }
@@ -597,11 +602,8 @@ panel_draw_blocks(struct tui *t)
 	const struct area *side = &t->layout.side;
 	int rows[BLOCKS], left = side->rows, row = 0;
 	panel_share_rows(t, side->rows, rows);
-	for (size_t i = 0; i < BLOCKS; i++) {
+	for (size_t i = 0; i < BLOCKS; i++)
 		left -= rows[i];
-		if (BLOCK[i].draw == panel_draw_light)
-			t->reason_shown = rows[i] > 1;
-	}
 	for (size_t i = 0; i < BLOCKS; i++) {
 		if (rows[i] == 0)
 			continue;

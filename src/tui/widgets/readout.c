@@ -80,7 +80,10 @@ readout_count_rows(const struct tui *t)
 	if (!t->ui.crosshair ||
 	    t->ui.crosshair_sieve >= t->view.shown.product.n)
 		return 0;
-	return OTHERS + (int)site_count_products(tui_current_entry(t)->site) +
+	const struct site *site = tui_current_entry(t)->site;
+	return OTHERS +
+	       (tui_other_feed(t)[0] == '\0' ? (int)site_count_products(site)
+					     : 0) +
 	       (t->ui.band && t->view.shown.low != NULL ? BAND : 0) +
 	       (t->view.pinned.site[0] != '\0');
 }
@@ -93,14 +96,18 @@ readout_draw(struct tui *t, const struct area *area)
 	bool pin = t->view.pinned.site[0] != '\0';
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
+	enum { ABOVE = 2 };
+	int room = area->rows - ABOVE - others;
 	snprintf(name, sizeof name, tr("crosshair %g mm"),
 	    units_mm(p->product.size[t->ui.crosshair_sieve]));
 	screen_text(area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name,
 	    t->ui.crosshair_passing);
 	draw_curve_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
-	for (size_t r = 0; r < site->n_run; r++) {
+	for (size_t r = 0; r < site->n_run && tui_other_feed(t)[0] == '\0';
+	     r++) {
 		const struct run *run = &site->run[r];
-		if (run->product.n == 0 || row + others >= area->rows)
+		if (row + others >= area->rows ||
+		    !site_run_is_near_speed(site, r, p->speed, (size_t)room))
 			continue;
 		snprintf(name, sizeof name, tr("meas %g%s"), run->speed,
 		    run->repeat);

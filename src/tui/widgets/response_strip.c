@@ -207,7 +207,7 @@ static double
 measured_value_of_run(const struct tui *t, size_t run)
 {
 	const struct psd *product = tui_measured_product(t, run);
-	return product->n > 0
+	return product->n > 0 && tui_other_feed(t)[0] == '\0'
 		   ? quantities_value_in_shown_unit(&t->ui.quantity,
 			 screened_quantity_of_product(product, &t->ui.quantity))
 		   : NAN;

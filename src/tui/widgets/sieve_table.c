@@ -36,7 +36,8 @@ find_compared_product(
 		*series = SERIES_OTHER;
 		return &t->session->pin->p.product;
 	}
-	for (size_t r = 0; r < site->n_run; r++) {
+	for (size_t r = 0; r < site->n_run && tui_other_feed(t)[0] == '\0';
+	     r++) {
 		const struct run *run = &site->run[r];
 		if (run->product.n > 0 &&
 		    (nearest == NULL ||
