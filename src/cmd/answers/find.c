@@ -313,8 +313,8 @@ find_speed_with_feed_of_run(
 }
 
 /* Notes the range of the speed over the sampled feeds, used one at a time
- * instead of their mean.  Only for sizes and passings of the whole product,
- * which rise or fall with the speed throughout. */
+ * instead of their mean.  Only for quantities that rise or fall with the speed
+ * throughout, as the product becomes finer. */
 static void
 note_speed_range_over_feeds(
     struct answer *r, const struct session *s, const struct find_request *goal)
@@ -326,8 +326,7 @@ note_speed_range_over_feeds(
 	const struct site *site = q->entry->site;
 	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	if (!site->individual_feeds || other || q->feed != SITE_MEAN_FEED ||
-	    fraction_is_screened(&of->fraction) ||
-	    (of->kind != QUANTITY_SIZE && of->kind != QUANTITY_PASSING))
+	    quantity_sign_if_finer(of) == 0)
 		return;
 	for (size_t run = 0; run < site->n_run; run++) {
 		if (site->run[run].lacks_feed)
