@@ -121,11 +121,11 @@ drive(const struct site *site, const struct calibrate_options *full)
 		double start = measure_now();
 		herd_evaluate(kernel, pool, gene, o.population, told);
 		parts.kernel += measure_now() - start;
-		ga_take_misfits(ga, told);
+		ga_set_misfits(ga, told);
 	}
 	for (size_t j = 0; j < BREAKAGES[0]->n; j++)
 		parts.best.at[j] = ga_best_genes(ga)[j];
-	params_scale_gauge_to_1(&parts.best);
+	params_scale_largest_beta_to_1(&parts.best);
 	free(told);
 	ga_free(ga);
 	kernel_free(kernel);
@@ -398,7 +398,7 @@ made_site(size_t runs, size_t n_product, size_t n_feed)
 	    .seed = 9,
 	    .n_speed = runs,
 	    .speed = speed};
-	struct site *site = synth_site(&synth);
+	struct site *site = synth_make_site(&synth);
 	for (size_t r = 0; r < runs; r++) {
 		if (n_product > 0)
 			resample(&site->run[r].product, n_product);

@@ -65,7 +65,7 @@ ask(const struct site *site, const struct fit *fit, const struct posterior *p)
 {
 	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
 	const struct fraction whole = {0};
-	struct psd sizes = predict_table_sizes(site, feed);
+	struct psd sizes = predict_list_table_sieves(site, feed);
 	size_t n;
 	struct quantity *asked =
 	    predict_table_quantities(site, feed, &whole, &n);
@@ -76,7 +76,7 @@ ask(const struct site *site, const struct fit *fit, const struct posterior *p)
 	for (size_t i = 0; i < 3; i++)
 		a.of[i] = xcalloc_doubles(SPEEDS * n);
 	for (size_t k = 0; k < SPEEDS; k++) {
-		forecast_move(r, e, ENSEMBLE_ANSWER,
+		forecast_move_to_speed(r, e, ENSEMBLE_ANSWER,
 		    SLOWEST + (FASTEST - SLOWEST) * (double)k / (SPEEDS - 1));
 		for (size_t i = 0; i < n; i++, a.n++) {
 			struct figure at = forecast_value_with_band(r, i);

@@ -62,7 +62,8 @@ band_of(const struct asking *a, const struct site *site)
 		asked[i] = psd_passing(feed, p->sieve[i]);
 	ensemble_set_speed(e, a->speed);
 	ensemble_mean_answer(e, mean);
-	ensemble_row_interval(e, ENSEMBLE_ANSWER, a->sieve, 0.8, &low, &high);
+	ensemble_interval_at_sieve(
+	    e, ENSEMBLE_ANSWER, a->sieve, 0.8, &low, &high);
 	struct band band = {.width = high - low,
 	    .off = mean[a->sieve] -
 		   plant_truth(p, asked, a->speed, p->sieve[a->sieve])};

@@ -120,7 +120,7 @@ first_signal(const struct view *v, uint64_t number, size_t n, size_t from,
 		    residual + j * v->n, POSTERIOR_DRAWS, v->truth[k],
 		    v->error[k]};
 	}
-	size_t first = drift_run_charts(cut, n, &DRIFT_RULE, point, &since);
+	size_t first = drift_compute_charts(cut, n, &DRIFT_RULE, point, &since);
 	*said = step > 0 ? drift_detection_delay(
 			       &DRIFT_RULE, point, from, from, step, 1)
 			 : (double)NAN;

@@ -106,7 +106,7 @@ held_of(const struct plant *p, const struct site *site,
 	struct guess_material m[ROWS];
 	size_t pick[ROWS], n = others(table, &table->item[row], m, pick, open),
 			   cells = 0, in = 0;
-	struct guess g = guess_product(site, 0, m, pick, n, v);
+	struct guess g = guess_psd_from_materials(site, 0, m, pick, n, v);
 	*error = 0;
 	for (size_t i = 0; i < g.median.n; i++) {
 		double s = g.median.size[i],
@@ -129,7 +129,7 @@ count_guess(size_t n)
 	bool ok = true;
 	double *error = xcalloc_doubles(n);
 	struct material_list list = {0}, *table = &list;
-	material_add_table3(table);
+	material_add_table3_to_list(table);
 	printf("%-22s %s\n", "fragments",
 	    "  held %    RMSE, median   at one "
 	    "law, held %");

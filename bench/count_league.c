@@ -52,11 +52,11 @@ error_of(const struct plant *p, const struct site *site, size_t model)
 	o.bounds = bounds_default(model);
 	struct fit fit = counts_fit(site, &o);
 	struct model *m = model_new(feed, p->sieve, p->n_sieve, fit.settings);
-	model_use_params(m, &fit.params);
+	model_set_params(m, &fit.params);
 	for (size_t i = 0; i < p->n_sieve; i++)
 		asked[i] = psd_passing(feed, p->sieve[i]);
 	for (size_t k = 0; k < ASKED; k++) {
-		model_product(m, ASKED_SPEED[k], P);
+		model_compute_product(m, ASKED_SPEED[k], P);
 		for (size_t i = 0; i < p->n_sieve; i++) {
 			if (plant_feed(p, p->sieve[i], p->feed_n) >= 1)
 				continue;

@@ -79,13 +79,13 @@ count_machine(const struct plan *plan, uint64_t number, struct sums sums[2])
 		    taken(&m, plan->at[i]) *
 			(1 + 0.02 * rng_normal(key, (uint32_t)(10 + i))),
 		    plan->at[i][1]};
-	struct power p = power_fit(r, plan->n);
+	struct power p = power_fit_readings(r, plan->n);
 	for (size_t q = 0; q < 2; q++) {
 		double draw[POWER_DRAWS], mean = 0, range[2];
 		double truth = taken(&m, ASKED[q]);
 		for (size_t d = 0; d < POWER_DRAWS; d++) {
-			draw[d] =
-			    power_of_draw(&p, d, ASKED[q][0], ASKED[q][1]);
+			draw[d] = power_kw_of_posterior_draw(
+			    &p, d, ASKED[q][0], ASKED[q][1]);
 			mean += draw[d] / POWER_DRAWS;
 		}
 		ensemble_interval_around_answer(draw, 0.8, mean, range);

@@ -41,7 +41,8 @@ ask(const struct plant *p, struct ensemble *e, double v, double off,
 		    plant_product(p, p->feed_n, v * (1 + off), p->sieve[i]);
 		if (plant_feed(p, p->sieve[i], p->feed_n) >= 1)
 			continue;
-		ensemble_row_interval(e, ENSEMBLE_ANSWER, i, 0.8, &low, &high);
+		ensemble_interval_at_sieve(
+		    e, ENSEMBLE_ANSWER, i, 0.8, &low, &high);
 		n++;
 		in += P > low - 1e-4 && P < high + 1e-4;
 		held->width += high - low;

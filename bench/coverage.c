@@ -77,8 +77,8 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
 	size_t n = p->n_sieve;
 	double *answer = xcalloc_doubles(n * N), *alone = xcalloc_doubles(n);
 	struct model *model = model_new(feed, p->sieve, n, fit->settings);
-	model_use_params(model, &fit->params);
-	model_product(model, v, alone);
+	model_set_params(model, &fit->params);
+	model_compute_product(model, v, alone);
 	ensemble_set_speed(view, v);
 	memcpy(answer, ensemble_products(view, ENSEMBLE_ANSWER),
 	    n * N * sizeof *answer);

@@ -70,8 +70,9 @@ herd_part(void *data, size_t part, unsigned thread)
 {
 	const struct herd_batch *b = data;
 	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
-	kernel_evaluate_part(b->kernel, b->gene, from, to < b->n ? to : b->n,
-	    thread, &(struct kernel_out){.misfit = b->misfit});
+	kernel_evaluate_candidates(b->kernel, b->gene, from,
+	    to < b->n ? to : b->n, thread,
+	    &(struct kernel_out){.misfit = b->misfit});
 }
 
 static inline void

@@ -181,8 +181,9 @@ measure_site(const struct measure_sites *sites, const char *name)
 {
 	char stem[64];
 	for (size_t i = 0; i < sites->n; i++)
-		if (text_same_folded(sites->site[i]->name, name) ||
-		    text_same_folded(measure_stem(sites->site[i], stem), name))
+		if (text_is_same_folded(sites->site[i]->name, name) ||
+		    text_is_same_folded(
+			measure_stem(sites->site[i], stem), name))
 			return sites->site[i];
 	fprintf(
 	    stderr, "the site %s was wanted, found none of that name\n", name);

@@ -73,7 +73,8 @@ draw(const struct site *site, const struct fit *fit, const bool *use,
 	    .threads = 1,
 	    .isa = ISA_BEST};
 	double from = used();
-	struct posterior_run *run = posterior_begin(site, &fit->params, &o);
+	struct posterior_run *run =
+	    posterior_begin_sampling(site, &fit->params, &o);
 	lap(&from, step);
 	while (!posterior_step(run))
 		lap(&from, step);

@@ -38,14 +38,14 @@ made_up(const struct material_list *paper, size_t number)
 {
 	const struct material *of = &paper->item[number % paper->n];
 	struct rng_key key = rng_make_key(1, number, 90);
-	struct material m = material_empty();
+	struct material m = material_make_empty();
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		if (FIELDS[f].kind == FIELD_TEXT)
 			material_set_field(&m, &FIELDS[f],
-			    *material_text_of_field(of, &FIELDS[f]));
+			    *material_text_field_pointer(of, &FIELDS[f]));
 		else if (FIELDS[f].kind == FIELD_NUMBER)
-			*material_number_of_field(&m, &FIELDS[f]) =
-			    *material_number_of_field(of, &FIELDS[f]);
+			*material_number_field_pointer(&m, &FIELDS[f]) =
+			    *material_number_field_pointer(of, &FIELDS[f]);
 	m.params = of->params;
 	for (size_t j = 4; j < 7; j++)
 		m.params.at[j] *= 0.9 + 0.2 * rng_uniform(key, (uint32_t)j);
@@ -63,12 +63,12 @@ fill(struct store *store, size_t n)
 {
 	struct error error = {0};
 	struct material_list paper = {0};
-	material_add_table3(&paper);
+	material_add_table3_to_list(&paper);
 	for (size_t from = 0; from < n; from += AT_ONCE) {
 		struct material_list list = {0};
 		for (size_t i = from; i < n && i < from + AT_ONCE; i++)
 			material_list_add(&list, made_up(&paper, i));
-		if (!store_put_materials(
+		if (!store_save_materials(
 			store, list.item, list.n, true, &error)) {
 			error_print(&error, stderr);
 			exit(1);
@@ -105,9 +105,10 @@ print_completion(const struct session *s)
 	double ms[TIMES];
 	clock_t before = clock();
 	for (int k = 0; k < TIMES; k++) {
-		double from = session_clock();
-		completion_free(complete_at_cursor(s, LINE, strlen(LINE)));
-		ms[k] = 1000 * (session_clock() - from);
+		double from = session_clock_seconds();
+		completion_free(
+		    find_completions_at_cursor(s, LINE, strlen(LINE)));
+		ms[k] = 1000 * (session_clock_seconds() - from);
 	}
 	double middle = measure_median(ms, TIMES);
 	printf("%-44s %8.1f %8.1f %9.1f\n", "Tab after recall quarry", middle,
@@ -142,11 +143,11 @@ main(int argc, char **argv)
 		int times = strncmp(LINES[i], "forget", 6) == 0 ? 1 : TIMES;
 		double used = 0;
 		for (int k = 0; k < times; k++) {
-			double from = session_clock();
+			double from = session_clock_seconds();
 			clock_t before = clock();
 			run(s, LINES[i]);
 			used += processor_ms(before) / times;
-			ms[k] = 1000 * (session_clock() - from);
+			ms[k] = 1000 * (session_clock_seconds() - from);
 			if (strncmp(LINES[i], "recall", 6) == 0)
 				run(s, BY_HAND);
 		}

@@ -58,7 +58,7 @@ parse_format_name(
 }
 
 static bool
-use_language(const char *word, struct error *error)
+set_language_by_code(const char *word, struct error *error)
 {
 	return tr_set_language(word) ||
 	       error_set(error, ERROR_USAGE,
@@ -68,7 +68,7 @@ use_language(const char *word, struct error *error)
 }
 
 static bool
-main_take_option(
+main_parse_option(
     struct command_line *in, int option, const char *value, struct error *error)
 {
 	switch (option) {
@@ -92,12 +92,12 @@ main_take_option(
 		       error_set(error, ERROR_USAGE,
 			   "expected --store with a file or :memory:");
 	case USAGE_LANG:
-		return use_language(value, error);
+		return set_language_by_code(value, error);
 	case USAGE_SAFE:
 		in->safe = true;
 		return true;
 	case USAGE_COLOR:
-		return terminal_parse_colour(value, &in->color) ||
+		return terminal_parse_colour_mode(value, &in->color) ||
 		       error_set(error, ERROR_USAGE,
 			   "expected --color auto, always or never, got '%s'",
 			   value);
@@ -121,7 +121,7 @@ main_take_option(
  * word: the argument read last.  If a letter inside it is unknown, only that
  * letter is named. */
 static bool
-set_option_error(
+set_program_option_error(
     int option, const char *letters, const char *word, struct error *error)
 {
 	char letter[3] = {'-', (char)optopt, '\0'};
@@ -134,7 +134,7 @@ set_option_error(
 }
 
 static bool
-read_command_line(
+parse_command_line(
     struct command_line *in, int argc, char **argv, struct error *error)
 {
 	enum { MOST = 32 };
@@ -157,9 +157,9 @@ read_command_line(
 	opterr = 0;
 	while ((option = getopt_long(argc, argv, letters, options, NULL)) != -1)
 		if (option == '?' || option == ':'
-			? !set_option_error(
+			? !set_program_option_error(
 			      option, letters, argv[optind - 1], error)
-			: !main_take_option(in, option, optarg, error))
+			: !main_parse_option(in, option, optarg, error))
 			return false;
 	in->first_file = optind;
 	return true;
@@ -170,7 +170,7 @@ read_command_line(
  * site.  stays: somebody sits at a prompt, and can load a refused sheet anew,
  * as its hint says. */
 static int
-open_files(struct session *s, char *const *path, size_t n, bool stays)
+load_or_run_files(struct session *s, char *const *path, size_t n, bool stays)
 {
 	for (size_t i = 0, k; i < n; i = k) {
 		int status = 0;
@@ -183,7 +183,7 @@ open_files(struct session *s, char *const *path, size_t n, bool stays)
 			       NULL, &error)) {
 			if (error.kind == ERROR_SYSTEM &&
 			    command_find(path[i]) != NULL)
-				error_hint(&error,
+				error_set_hint(&error,
 				    "put commands after -c: -c '%s'", path[i]);
 			error_print(&error, stderr);
 			status = stays ? 0 : (int)error.kind;
@@ -195,7 +195,7 @@ open_files(struct session *s, char *const *path, size_t n, bool stays)
 }
 
 static int
-run_actions(struct session *s, const struct command_line *in)
+run_scripts_and_commands(struct session *s, const struct command_line *in)
 {
 	int status = 0, commands = 0;
 	for (size_t i = 0; status == 0 && i < in->n_action && !s->quit; i++) {
@@ -219,16 +219,16 @@ main_run(
 	int status = 0;
 	bool prompt = in->n_action == 0 && terminal_is_interactive();
 	if (prompt)
-		repl_start(s);
+		repl_greet_and_run_init(s);
 	if (in->first_file < argc)
-		status = open_files(s, argv + in->first_file,
+		status = load_or_run_files(s, argv + in->first_file,
 		    (size_t)(argc - in->first_file), prompt);
 	if (status != 0)
 		return status;
 	if (prompt)
-		signals_forget_interrupt(); /* from a question about a FILE */
+		signals_clear_interrupt(); /* from a question about a FILE */
 	if (in->n_action > 0)
-		return run_actions(s, in);
+		return run_scripts_and_commands(s, in);
 	if (prompt)
 		return repl_run(s);
 	if (isatty(STDIN_FILENO))
@@ -276,7 +276,7 @@ main(int argc, char **argv)
 	in.action = xcalloc((size_t)argc, sizeof *in.action);
 	int status = ERROR_USAGE;
 	struct error error = {0};
-	bool understood = read_command_line(&in, argc, argv, &error);
+	bool understood = parse_command_line(&in, argc, argv, &error);
 	if (!understood)
 		error_print(&error, stderr);
 	if (understood && in.reset_tty) {
@@ -285,7 +285,7 @@ main(int argc, char **argv)
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
 		s->set.format = in.format;
-		session_set_translation(s);
+		session_set_translation_by_format(s);
 		s->set.seed = in.seed;
 		s->isa = isa_from_name(getenv("TIPSPEED_ISA"));
 		s->safe = in.safe;
@@ -294,11 +294,11 @@ main(int argc, char **argv)
 		 * either. */
 		bool none = in.safe && in.store == NULL;
 		s->store = store_new(none ? ":memory:" : in.store);
-		terminal_set_colour(in.color);
-		s->screen = terminal_describe();
+		terminal_set_colour_mode(in.color);
+		s->screen = terminal_get_size_and_colours();
 		s->hooks.draw_screen = script_draw_screen;
 		s->hooks.run_screen =
-		    in.linear ? repl_run_instead_of_screen : tui_run;
+		    in.linear ? repl_run_or_note_no_screen : tui_run;
 		signals_catch();
 		s->hooks.stop = signals_is_stop_wanted;
 		s->linear = in.linear;
@@ -312,7 +312,7 @@ main(int argc, char **argv)
 	}
 	free(in.action);
 	/* What failed because of a signal was ended by it. */
-	if (status != 0 && signals_pending() != 0)
+	if (status != 0 && signals_get_recorded() != 0)
 		status = signals_exit_status();
 	return flush_stdout(status);
 }

@@ -60,7 +60,7 @@ print_brief_as_sentence(const struct command *c, FILE *out)
 static void
 print_mdoc_option(const struct command_option *o, FILE *out)
 {
-	FREED char *words = command_option_text(o);
+	FREED char *words = command_option_help_text(o);
 	fprintf(out, ".It Cm %s\n", o->name);
 	print_mdoc_paragraph(words, out);
 }
@@ -68,7 +68,7 @@ print_mdoc_option(const struct command_option *o, FILE *out)
 static void
 print_command_options(const struct command *c, FILE *out)
 {
-	const struct command_option *o = command_own_option(c, 0);
+	const struct command_option *o = command_own_option_at(c, 0);
 	FREED char *shared = command_shared_option_names(c);
 	if (shared[0] != '\0') {
 		FREED char *line =
@@ -78,7 +78,7 @@ print_command_options(const struct command *c, FILE *out)
 	if (o == NULL)
 		return;
 	fputs(".Bl -tag -width 12n -compact\n", out);
-	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++)
+	for (size_t i = 0; (o = command_own_option_at(c, i)) != NULL; i++)
 		print_mdoc_option(o, out);
 	fputs(".El\n", out);
 }
@@ -90,7 +90,7 @@ print_shared_options(FILE *out)
 	fputs(".Ss Options of many commands\n"
 	      ".Bl -tag -width 12n -compact\n",
 	    out);
-	for (size_t i = 0; (o = command_shared_option(i)) != NULL; i++)
+	for (size_t i = 0; (o = command_shared_option_at(i)) != NULL; i++)
 		print_mdoc_option(o, out);
 	fputs(".El\n", out);
 }
@@ -142,7 +142,7 @@ print_commands(FILE *out)
 		group = its;
 		FREED char *usage = command_usage_text(c);
 		/* Quoted, so that mdoc takes no word for a macro. */
-		FREED char *quoted = text_in_quotes(usage);
+		FREED char *quoted = text_add_quotes(usage);
 		fprintf(out, ".It %s\n", quoted);
 		if (c->alias != NULL)
 			fprintf(out, "Also called\n.Cm %s .\n",

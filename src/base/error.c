@@ -71,7 +71,7 @@ error_set(struct error *e, enum error_kind kind, const char *format, ...)
 }
 
 bool
-error_at(struct error *e, enum error_kind kind, const char *file, int line,
+error_set_at(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, ...)
 {
 	va_list ap;
@@ -82,7 +82,7 @@ error_at(struct error *e, enum error_kind kind, const char *file, int line,
 }
 
 bool
-error_hint(struct error *e, const char *format, ...)
+error_set_hint(struct error *e, const char *format, ...)
 {
 	if (e == NULL)
 		return false;
@@ -94,7 +94,7 @@ error_hint(struct error *e, const char *format, ...)
 }
 
 struct error *
-error_add(struct error_list *list)
+error_list_add_item(struct error_list *list)
 {
 	size_t room = sizeof list->item / sizeof list->item[0];
 	if (list->n < room)
@@ -106,19 +106,19 @@ error_add(struct error_list *list)
 }
 
 bool
-error_should_stop(struct error_list *list)
+error_is_stop_requested(struct error_list *list)
 {
 	if (list->stopped || list->stop == NULL || !list->stop())
 		return list->stopped;
 	list->stopped = true;
-	error_set(error_add(list), ERROR_STOPPED, "interrupted");
+	error_set(error_list_add_item(list), ERROR_STOPPED, "interrupted");
 	return true;
 }
 
 /* Prints a line and frees it.  A line that fits is not wrapped, and keeps its
  * spaces, because it may quote user text. */
 static void
-print_error_line(char *line, bool wrap, int margin, FILE *out)
+print_and_free_error_line(char *line, bool wrap, int margin, FILE *out)
 {
 	enum { SCREEN = 79 };
 	if (!wrap || text_width_in_columns(line) <= SCREEN) {
@@ -149,7 +149,7 @@ error_print(const struct error *e, FILE *out)
 {
 	char place[32] = "";
 	if (strcmp(e->file, ERROR_TYPED) == 0) {
-		print_error_line(
+		print_and_free_error_line(
 		    xstrdup(e->text), isatty(fileno(out)) != 0, 4, out);
 		error_print_hint(e, out);
 		return;
@@ -159,8 +159,8 @@ error_print(const struct error *e, FILE *out)
 	const char *sign = e->file[0] == '\0'               ? ""
 			   : e->in_grid && place[0] != '\0' ? ","
 							    : ":";
-	print_error_line(xasprintf("%s%s%s%s %s", e->file, sign, place,
-			     known ? "" : "tipspeed:", e->text),
+	print_and_free_error_line(xasprintf("%s%s%s%s %s", e->file, sign, place,
+				      known ? "" : "tipspeed:", e->text),
 	    isatty(fileno(out)) != 0, 4, out);
 	error_print_hint(e, out);
 }
@@ -169,6 +169,6 @@ void
 error_print_hint(const struct error *e, FILE *out)
 {
 	if (e->hint[0] != '\0')
-		print_error_line(
+		print_and_free_error_line(
 		    xasprintf(tr("  hint: %s"), e->hint), true, 8, out);
 }

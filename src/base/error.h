@@ -55,8 +55,9 @@ bool error_set(struct error *e, enum error_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* As error_set, with a position in a file.  line 0: not known. */
-bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
-    int column, const char *format, ...) __attribute__((format(printf, 6, 7)));
+bool error_set_at(struct error *e, enum error_kind kind, const char *file,
+    int line, int column, const char *format, ...)
+    __attribute__((format(printf, 6, 7)));
 
 bool error_set_formatted(struct error *e, enum error_kind kind,
     const char *file, int line, int column, const char *format, va_list ap)
@@ -71,17 +72,17 @@ void error_prefix_file_name(
     struct error *e, const char *file, int line, int column);
 
 /* Changes the hint of an error already set.  Returns false. */
-bool error_hint(struct error *e, const char *format, ...)
+bool error_set_hint(struct error *e, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds a fault to the list, or counts it if the list is full.  Returns the
  * error to fill in, never NULL. */
-struct error *error_add(struct error_list *list);
+struct error *error_list_add_item(struct error_list *list);
 
 /* True if reading should end.  Each loop over the contents of a file calls it
  * now and then.  Once true it stays true, and the list contains a fault of kind
  * ERROR_STOPPED. */
-bool error_should_stop(struct error_list *list);
+bool error_is_stop_requested(struct error_list *list);
 
 /* Prints "file:line:column: text", or for a workbook "file, B5: text", and the
  * hint, if any, below it.  Always wraps the hint, with a margin; wraps the

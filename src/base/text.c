@@ -105,7 +105,7 @@ text_shortest_exact_number(double value, char buf[static 32])
 }
 
 const char *
-text_number_to_tell_apart(double value, double other, char buf[static 32])
+text_number_distinct_from(double value, double other, char buf[static 32])
 {
 	enum { SHORT = 7, LEAST = 4, MOST = 17 };
 	double apart = fabs(value - other) / 10;
@@ -158,7 +158,7 @@ plain_letter(unsigned char c, unsigned char d)
 /* Writes a Cyrillic capital, the two bytes at s, in lower case to `to`.
  * Returns false for anything else. */
 static bool
-copy_cyrillic_lower(const unsigned char *s, char *to)
+lowercase_cyrillic_letter(const unsigned char *s, char *to)
 {
 	if (s[0] != 0xD0 || s[1] < 0x90 || s[1] > 0xAF)
 		return false;
@@ -182,7 +182,7 @@ text_fold_case_and_accents(const char *s)
 			folded[n++] = plain;
 		if (plain != '*' || (accent && d >= 0x80)) {
 			s += 2;
-		} else if (copy_cyrillic_lower(
+		} else if (lowercase_cyrillic_letter(
 			       (const unsigned char *)s, &folded[n])) {
 			n += 2;
 			s += 2;
@@ -216,7 +216,7 @@ text_is_hidden_character(uint32_t code)
  * the signs of Latin 1 (U+0080..BF, multiplication and division), U+2000..2FFF
  * and the punctuation U+3000..303F. */
 static size_t
-letter_bytes(const char *p)
+bytes_of_slug_character(const char *p)
 {
 	unsigned char c = (unsigned char)p[0], d = (unsigned char)p[1];
 	if (c < 0x80)
@@ -238,7 +238,7 @@ text_slug(const char *s)
 	char *slug = text_fold_case_and_accents(s);
 	size_t n = 0, take;
 	for (const char *p = slug; *p != '\0'; p += take > 0 ? take : 1) {
-		take = letter_bytes(p);
+		take = bytes_of_slug_character(p);
 		if (take == 0 && n > 0 && slug[n - 1] != '-')
 			slug[n++] = '-';
 		memmove(slug + n, p, take);
@@ -279,7 +279,7 @@ text_without_quotes(const char *text, size_t n)
 }
 
 char *
-text_in_quotes(const char *s)
+text_add_quotes(const char *s)
 {
 	char *quoted = xcalloc(2 * strlen(s) + 3, 1), *to = quoted;
 	*to++ = '"';
@@ -293,7 +293,7 @@ text_in_quotes(const char *s)
 }
 
 void
-text_write_sheet_cell(const char *text, char separator, FILE *out)
+text_write_csv_cell(const char *text, char separator, FILE *out)
 {
 	const char marks[] = {separator, '"', '\n', '\r', '\0'};
 	const char *guard = text_may_be_formula(text) ? "'" : "";
@@ -301,7 +301,7 @@ text_write_sheet_cell(const char *text, char separator, FILE *out)
 		fprintf(out, "%s%s", guard, text);
 		return;
 	}
-	FREED char *quoted = text_in_quotes(text);
+	FREED char *quoted = text_add_quotes(text);
 	fprintf(out, "\"%s%s", guard, quoted + 1);
 }
 
@@ -335,7 +335,7 @@ text_ends_with(const char *s, const char *end)
 }
 
 bool
-text_same_folded(const char *a, const char *b)
+text_is_same_folded(const char *a, const char *b)
 {
 	FREED char *fold_a = text_fold_case_and_accents(a),
 		   *fold_b = text_fold_case_and_accents(b);
@@ -343,7 +343,7 @@ text_same_folded(const char *a, const char *b)
 }
 
 bool
-text_contains_word(const char *text, const char *word)
+text_contains_folded(const char *text, const char *word)
 {
 	FREED char *folded = text_fold_case_and_accents(text),
 		   *wanted = text_fold_case_and_accents(word);
@@ -446,7 +446,7 @@ text_next_code_point(const char **text)
 }
 
 size_t
-text_bytes_within(const char *s, size_t most)
+text_bytes_up_to_limit(const char *s, size_t most)
 {
 	size_t n = strnlen(s, most);
 	while (n > 0 && (s[n] & 0xC0) == 0x80)
@@ -460,7 +460,7 @@ text_shared_prefix_bytes(const char *a, const char *b)
 	size_t n = 0;
 	while (a[n] != '\0' && a[n] == b[n])
 		n++;
-	return text_bytes_within(a, n);
+	return text_bytes_up_to_limit(a, n);
 }
 
 FILE *

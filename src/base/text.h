@@ -30,7 +30,7 @@ const char *text_shortest_exact_number(double value, char buf[static 32]);
 /* Returns a number as text for a message that compares it with another.  A
  * short number, as people type them, is exact; otherwise the text has as few
  * digits as distinguish the two, but at least four. */
-const char *text_number_to_tell_apart(
+const char *text_number_distinct_from(
     double value, double other, char buf[static 32]);
 
 /* Removes spaces at both ends, in place; returns a pointer into s. */
@@ -52,7 +52,7 @@ char *text_without_quotes(const char *s, size_t n);
 
 /* Returns a text in quotes ("), with each quote in it doubled.  The caller
  * frees it. */
-char *text_in_quotes(const char *s);
+char *text_add_quotes(const char *s);
 
 /* True if a spreadsheet may mistake a cell for a formula: it begins with one of
  * = + - @ and is neither a number nor a single sign.  Such text is written to
@@ -62,7 +62,7 @@ bool text_may_be_formula(const char *s);
 
 /* Writes text as a cell of a sheet that reads back as the same text: quoted if
  * necessary, and never a formula. */
-void text_write_sheet_cell(const char *text, char separator, FILE *out);
+void text_write_csv_cell(const char *text, char separator, FILE *out);
 
 /* Writes a number with a decimal point or, if the separator is a semicolon,
  * with a decimal comma. */
@@ -76,11 +76,11 @@ const char *text_column_letters(int column, char buf[static 8]);
 bool text_ends_with(const char *s, const char *end);
 
 /* True if two words are the same, ignoring case and accents. */
-bool text_same_folded(const char *a, const char *b);
+bool text_is_same_folded(const char *a, const char *b);
 
 /* True if the text contains the word, also within another word, ignoring case
  * and accents. */
-bool text_contains_word(const char *text, const char *word);
+bool text_contains_folded(const char *text, const char *word);
 
 /* Finds the index of a word in a list separated by spaces.  Returns false if it
  * is not in the list. */
@@ -96,7 +96,7 @@ uint32_t text_next_code_point(const char **text);
 
 /* Returns the length of s in bytes, or that of its longest beginning of whole
  * characters and at most `most` bytes. */
-size_t text_bytes_within(const char *s, size_t most);
+size_t text_bytes_up_to_limit(const char *s, size_t most);
 
 /* Returns the length in bytes of the common beginning of a and b, in whole
  * characters. */

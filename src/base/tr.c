@@ -153,7 +153,7 @@ tr_yes_letter(void)
 }
 
 char
-tr_no_letter(void)
+tr_letter_for_no(void)
 {
 	char first = tr("no")[0];
 	return first >= 'a' && first <= 'z' ? first : 'n';

@@ -33,6 +33,6 @@ bool tr_is_no(const char *said);
 
 /* Returns the letter that stands for yes, or no, in questions. */
 char tr_yes_letter(void);
-char tr_no_letter(void);
+char tr_letter_for_no(void);
 
 #endif

@@ -96,7 +96,7 @@ xasprintf(const char *format, ...)
 }
 
 void
-xreplace(char **text, char *value)
+xfree_and_set(char **text, char *value)
 {
 	free(*text);
 	*text = value;
@@ -104,7 +104,7 @@ xreplace(char **text, char *value)
 
 /* Takes ownership of more. */
 static void
-append_separated(char **text, const char *separator, char *more)
+append_after_separator(char **text, const char *separator, char *more)
 {
 	size_t n = strlen(*text), gap = strlen(separator), m = strlen(more);
 	*text = xrealloc(*text, n + gap + m + 1, 1);
@@ -118,7 +118,7 @@ xappend(char **text, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	append_separated(text, "", xvasprintf(format, ap));
+	append_after_separator(text, "", xvasprintf(format, ap));
 	va_end(ap);
 }
 
@@ -127,7 +127,7 @@ xappend_to_list(char **list, const char *separator, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	append_separated(
+	append_after_separator(
 	    list, *list[0] != '\0' ? separator : "", xvasprintf(format, ap));
 	va_end(ap);
 }

@@ -33,7 +33,7 @@ char *xvasprintf(const char *format, va_list ap)
 void xfree_at(void *pointer);
 
 /* Frees *text and replaces it with value, whose ownership it takes. */
-void xreplace(char **text, char *value);
+void xfree_and_set(char **text, char *value);
 
 /* Append to a text that one of the functions above returned.  xappend_to_list
  * adds the separator first if the list is not empty. */

@@ -31,8 +31,8 @@ ask_wait_for_line(char **line)
 	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
 		sigaddset(&held, ENDS[i]);
 	sigprocmask(SIG_BLOCK, &held, &was);
-	while (c != '\n' && signals_pending() == 0) {
-		if (!signals_wait_with_mask(&was, INFINITY))
+	while (c != '\n' && signals_get_recorded() == 0) {
+		if (!signals_wait_for_input_with_mask(&was, INFINITY))
 			continue;
 		ssize_t got = read(STDIN_FILENO, &c, 1);
 		if (got == 0 || (got < 0 && errno != EINTR))
@@ -50,7 +50,7 @@ ask_confirm(struct session *s, const char *question, bool yes)
 {
 	(void)s;
 	text_print_escaped(question, stderr);
-	char y = tr_yes_letter(), n = tr_no_letter();
+	char y = tr_yes_letter(), n = tr_letter_for_no();
 	fprintf(
 	    stderr, " [%c/%c] ", yes ? toupper(y) : y, yes ? n : toupper(n));
 	int c = ask_wait_for_line(NULL);
@@ -60,7 +60,7 @@ ask_confirm(struct session *s, const char *question, bool yes)
 }
 
 int
-ask_wrap_columns(void)
+question_wrap_width(void)
 {
 	int rows, columns;
 	terminal_size(&rows, &columns);
@@ -94,10 +94,10 @@ print_table_above_questions(const struct user_question *q, int columns)
 /* Prints on standard error, because the session's notes are held back until the
  * command ends. */
 char *
-ask_with_reader(struct session *s, const struct user_question *q,
+ask_question_with_reader(struct session *s, const struct user_question *q,
     char *(*read)(const char *text))
 {
-	int columns = ask_wrap_columns();
+	int columns = question_wrap_width();
 	(void)s;
 	if (q->wrong[0] != '\0')
 		text_print_wrapped(q->wrong, 0, columns, stderr);
@@ -127,5 +127,5 @@ prompt_for_line(const char *text)
 char *
 ask_question(struct session *s, const struct user_question *q)
 {
-	return ask_with_reader(s, q, prompt_for_line);
+	return ask_question_with_reader(s, q, prompt_for_line);
 }

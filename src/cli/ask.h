@@ -12,14 +12,14 @@
 int ask_wait_for_line(char **line);
 
 /* Returns the number of columns at which questions are wrapped. */
-int ask_wrap_columns(void);
+int question_wrap_width(void);
 
 /* Ask at the prompt; for the hooks `confirm` and `ask` of the session.  read:
  * prompts with a text and returns the line without its end, which the caller
  * frees, or NULL at the end of input or on a signal. */
 bool ask_confirm(struct session *s, const char *question, bool yes);
 char *ask_question(struct session *s, const struct user_question *inquiry);
-char *ask_with_reader(struct session *s, const struct user_question *inquiry,
-    char *(*read)(const char *text));
+char *ask_question_with_reader(struct session *s,
+    const struct user_question *inquiry, char *(*read)(const char *text));
 
 #endif

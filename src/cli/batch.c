@@ -20,7 +20,7 @@
 /* Prints the line at fault, cut to fit the screen, and a caret below the
  * column. */
 static void
-print_caret(const char *line, int column, FILE *out)
+print_line_with_caret(const char *line, int column, FILE *out)
 {
 	enum { MOST = 72 };
 	int rows, columns;
@@ -51,7 +51,7 @@ print_error_and_line(
 	bare.hint[0] = '\0';
 	error_print(&bare, stderr);
 	if (e->line > 0 && strcmp(e->file, name) == 0)
-		print_caret(line, e->column, stderr);
+		print_line_with_caret(line, e->column, stderr);
 	error_print_hint(e, stderr);
 }
 
@@ -79,7 +79,7 @@ batch_run_line(
 	struct driver d = make_batch_driver(s);
 	d.pager = pager;
 	d.interrupted = pager != NULL ? NULL : print_interrupted;
-	return driver_run_line(&d, line, ERROR_TYPED, number);
+	return driver_run_line_to_end(&d, line, ERROR_TYPED, number);
 }
 
 /* The output of a line, which is printed only if the line fails, before its
@@ -118,7 +118,7 @@ batch_run_line_quietly(struct session *s, const char *line, int number)
 	d.fail = print_messages_and_error;
 	d.interrupted = NULL;
 	s->out = s->notes = q.to = text_open_memory(&q.said, &q.n);
-	int status = driver_run_line(&d, line, ERROR_TYPED, number);
+	int status = driver_run_line_to_end(&d, line, ERROR_TYPED, number);
 	s->out = out;
 	s->notes = notes;
 	if (status != 0)
@@ -164,11 +164,11 @@ batch_run_script_file(struct session *s, const char *path)
 }
 
 void
-batch_begin_interactive(struct session *s)
+batch_make_session_interactive(struct session *s)
 {
 	FREED char *offer = autosave_begin(s);
 	if (offer != NULL)
-		session_note(s, "%s", offer);
+		session_print_note(s, "%s", offer);
 	s->hooks.confirm = ask_confirm;
 	s->hooks.ask = ask_question;
 	s->prompt = true;
@@ -180,7 +180,8 @@ batch_begin_interactive(struct session *s)
 static void
 print_prompt(struct session *s, bool continues)
 {
-	const char *key = s->n_entry > 0 ? session_current_entry(s)->key : "";
+	const char *key =
+	    s->n_entry > 0 ? session_current_site_entry(s)->key : "";
 	fprintf(stderr, "%s> ",
 	    continues        ? ""
 	    : key[0] != '\0' ? key
@@ -193,8 +194,8 @@ batch_run_typed_lines(struct session *s)
 	FREED char *line = NULL;
 	size_t n = 0, room = 0, from = 0;
 	struct error error = {0};
-	batch_begin_interactive(s);
-	for (int number = 1; !s->quit; signals_forget_interrupt()) {
+	batch_make_session_interactive(s);
+	for (int number = 1; !s->quit; signals_clear_interrupt()) {
 		print_prompt(s, from > 0);
 		enum text_line got = text_read_line(&line, &n, &room, stdin);
 		bool more =
@@ -207,7 +208,7 @@ batch_run_typed_lines(struct session *s)
 			script_set_error_long_line(ERROR_TYPED, number, &error);
 			error_print(&error, stderr);
 		}
-		if (got != TEXT_LINE && signals_pending() != SIGINT)
+		if (got != TEXT_LINE && signals_get_recorded() != SIGINT)
 			break;
 		n = from = more ? from + strlen(line + from) : 0;
 		if (got == TEXT_END)

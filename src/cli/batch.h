@@ -17,7 +17,7 @@ int batch_run_script_file(struct session *s, const char *path);
 
 /* Tells the session that a user now types the lines: starts autosaving and
  * announces the last autosaved session. */
-void batch_begin_interactive(struct session *s);
+void batch_make_session_interactive(struct session *s);
 
 /* Reads and runs lines typed at a terminal while results go elsewhere.  After
  * an error, prints it and continues. */

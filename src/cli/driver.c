@@ -13,11 +13,11 @@
 /* Ends the commands that a line has started, after an error or an interruption.
  * An interruption keeps the results so far. */
 static void
-end_started_commands(
+end_commands_started_by_line(
     const struct driver *d, int status, const char *line, const char *name)
 {
 	struct error error = {.kind = (enum error_kind)status};
-	bool ok = status == 0 || signals_pending() != 0;
+	bool ok = status == 0 || signals_get_recorded() != 0;
 	if (!session_end_finished_commands(d->session, ok, &error) && ok)
 		d->fail(d->of, &error, line, name);
 }
@@ -30,7 +30,7 @@ stop_line_on_signal(
 {
 	pager_hold_notes(d->pager);
 	session_stop_job_for_user(d->session);
-	end_started_commands(d, 0, line, name);
+	end_commands_started_by_line(d, 0, line, name);
 	pager_show_new_output(d->pager);
 	if (d->interrupted != NULL)
 		d->interrupted(name, number);
@@ -47,13 +47,14 @@ report_failed_command(const struct driver *d, const struct error *e,
 		d->fail(d->of, e, line, name);
 	else if (d->interrupted != NULL)
 		d->interrupted(name, number);
-	return signals_pending() != 0 ? signals_exit_status() : (int)e->kind;
+	return signals_get_recorded() != 0 ? signals_exit_status()
+					   : (int)e->kind;
 }
 
 /* Runs to their ends what the line's commands have started: the job, scripts,
  * the full screen.  Returns the exit status. */
 static int
-run_started_jobs(const struct driver *d, size_t depth, const char *line,
+run_started_work_to_end(const struct driver *d, size_t depth, const char *line,
     const char *name, int number)
 {
 	struct session *s = d->session;
@@ -66,13 +67,13 @@ run_started_jobs(const struct driver *d, size_t depth, const char *line,
 		status = s->hooks.run_screen(s);
 	}
 	if (status != 0 || s->quit)
-		end_started_commands(d, status, line, name);
+		end_commands_started_by_line(d, status, line, name);
 	pager_show_new_output(d->pager);
 	return status;
 }
 
 int
-driver_run_line(
+driver_run_line_to_end(
     const struct driver *d, const char *line, const char *name, int number)
 {
 	struct session *s = d->session;
@@ -92,7 +93,7 @@ driver_run_line(
 		if (d->watches && number == 0 && session_is_calibrating(s) &&
 		    s->scripts == depth && line[at] == '\0')
 			return 0;
-		status = run_started_jobs(d, depth, line, name, number);
+		status = run_started_work_to_end(d, depth, line, name, number);
 	} while (status == 0 && at > 0 && !s->quit);
 	return status;
 }
@@ -103,20 +104,20 @@ driver_run_scripts(const struct driver *d, size_t depth)
 	struct session *s = d->session;
 	int status = 0;
 	while (status == 0 && s->scripts > depth && !s->quit &&
-	       signals_pending() == 0) {
+	       signals_get_recorded() == 0) {
 		struct error error = {0};
 		struct place place;
 		FREED char *line = script_read_line(s, &place, &error);
 		if (line != NULL && d->begins != NULL)
 			d->begins(d->of, line);
-		if (line != NULL && signals_pending() == 0)
-			status =
-			    driver_run_line(d, line, place.file, place.line);
+		if (line != NULL && signals_get_recorded() == 0)
+			status = driver_run_line_to_end(
+			    d, line, place.file, place.line);
 		else if (error.kind != ERROR_NONE)
 			d->fail(d->of, &error, "", "");
 		if (line == NULL)
 			status = (int)error.kind;
 	}
 	script_close_to_depth(s, depth);
-	return signals_pending() != 0 ? signals_exit_status() : status;
+	return signals_get_recorded() != 0 ? signals_exit_status() : status;
 }

@@ -30,11 +30,11 @@ struct driver {
 /* Runs one line to its end.  name, number: its position in messages; number 0
  * for a line typed on the full screen.  Returns 0, the status of the first
  * error, after reporting it, or that of a signal. */
-int driver_run_line(
+int driver_run_line_to_end(
     const struct driver *d, const char *line, const char *name, int number);
 
 /* Runs all open scripts, except the outermost `depth`, to their ends.  Returns
- * what driver_run_line does. */
+ * what driver_run_line_to_end does. */
 int driver_run_scripts(const struct driver *d, size_t depth);
 
 #endif

@@ -121,28 +121,29 @@ history_search_begin(void)
 /* Returns true if a line of the history matches the search and differs from the
  * line being edited. */
 static bool
-is_searched_line(const char *line, bool anywhere)
+is_history_line_match(const char *line, bool anywhere)
 {
 	const char *found = strstr(line, search.wanted);
 	return found != NULL && (anywhere || found == line) &&
 	       strcmp(line, rl_line_buffer) != 0;
 }
 
-static rl_command_func_t search_prefix_backward, search_prefix_forward,
-    search_anywhere_backward, search_anywhere_forward;
+static rl_command_func_t history_search_prefix_backward,
+    history_search_prefix_forward, history_search_anywhere_backward,
+    history_search_anywhere_forward;
 
 static const struct {
 	const char *name;
 	rl_command_func_t *theirs, *ours;
 } SEARCHES[] = {
     {"history-search-backward", rl_history_search_backward,
-	search_prefix_backward},
+	history_search_prefix_backward},
     {"history-search-forward", rl_history_search_forward,
-	search_prefix_forward},
+	history_search_prefix_forward},
     {"history-substring-search-backward", rl_history_substr_search_backward,
-	search_anywhere_backward},
+	history_search_anywhere_backward},
     {"history-substring-search-forward", rl_history_substr_search_forward,
-	search_anywhere_forward},
+	history_search_anywhere_forward},
 };
 
 static bool
@@ -164,7 +165,8 @@ go_to_next_history_match(bool on, bool anywhere)
 	int step = on ? 1 : -1, place = search.place + step;
 	for (; place >= 0 && place < history_length; place += step) {
 		const HIST_ENTRY *entry = history_get(history_base + place);
-		if (entry == NULL || !is_searched_line(entry->line, anywhere))
+		if (entry == NULL ||
+		    !is_history_line_match(entry->line, anywhere))
 			continue;
 		search.place = place;
 		replace_edited_line(entry->line, (int)strlen(search.wanted));
@@ -180,35 +182,35 @@ go_to_next_history_match(bool on, bool anywhere)
 }
 
 static int
-search_prefix_backward(int count, int key)
+history_search_prefix_backward(int count, int key)
 {
 	(void)count, (void)key;
 	return go_to_next_history_match(false, false);
 }
 
 static int
-search_prefix_forward(int count, int key)
+history_search_prefix_forward(int count, int key)
 {
 	(void)count, (void)key;
 	return go_to_next_history_match(true, false);
 }
 
 static int
-search_anywhere_backward(int count, int key)
+history_search_anywhere_backward(int count, int key)
 {
 	(void)count, (void)key;
 	return go_to_next_history_match(false, true);
 }
 
 static int
-search_anywhere_forward(int count, int key)
+history_search_anywhere_forward(int count, int key)
 {
 	(void)count, (void)key;
 	return go_to_next_history_match(true, true);
 }
 
 void
-history_search_name_functions(void)
+history_search_add_to_readline(void)
 {
 	/* If several functions have the same name, the user's settings get the
 	 * first. */
@@ -217,7 +219,7 @@ history_search_name_functions(void)
 }
 
 static void
-replace_key_bindings_in(Keymap map, size_t i)
+rebind_history_search_keys(Keymap map, size_t i)
 {
 	char **keys = rl_invoking_keyseqs_in_map(SEARCHES[i].theirs, map);
 	for (size_t k = 0; keys != NULL && keys[k] != NULL; k++) {
@@ -231,8 +233,8 @@ void
 history_search_bind_keys(void)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++) {
-		replace_key_bindings_in(emacs_standard_keymap, i);
-		replace_key_bindings_in(vi_movement_keymap, i);
-		replace_key_bindings_in(vi_insertion_keymap, i);
+		rebind_history_search_keys(emacs_standard_keymap, i);
+		rebind_history_search_keys(vi_movement_keymap, i);
+		rebind_history_search_keys(vi_insertion_keymap, i);
 	}
 }

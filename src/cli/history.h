@@ -21,10 +21,10 @@ void typed_history_close(void);
 bool typed_history_is_open(void);
 
 /* For searches of the history for the text before the cursor, by PgUp and PgDn.
- * history_search_name_functions gives our searches the names of readline's,
+ * history_search_add_to_readline gives our searches the names of readline's,
  * before the user's settings are read; history_search_bind_keys gives them,
  * after that, the keys of readline's. */
-void history_search_name_functions(void);
+void history_search_add_to_readline(void);
 void history_search_bind_keys(void);
 
 #endif

@@ -20,7 +20,7 @@ enum { NO_PROGRAM = 127 };
 
 /* Returns how many rows a text takes, with long lines folded. */
 static int
-count_folded_rows(const char *text, int columns)
+count_wrapped_rows(const char *text, int columns)
 {
 	int rows = 0;
 	FREED char *copy = xstrdup(text);
@@ -50,7 +50,7 @@ pager_command(void)
 
 /* A handler, because the pager would inherit SIG_IGN. */
 static void
-on_signal_do_nothing(int signal)
+on_signal_left_to_pager(int signal)
 {
 	(void)signal;
 }
@@ -61,7 +61,7 @@ static void
 leave_signals_to_pager(struct sigaction was[2])
 {
 	struct sigaction action = {
-	    .sa_handler = on_signal_do_nothing, .sa_flags = SA_RESTART};
+	    .sa_handler = on_signal_left_to_pager, .sa_flags = SA_RESTART};
 	sigemptyset(&action.sa_mask);
 	sigaction(SIGINT, &action, &was[0]);
 	sigaction(SIGPIPE, &action, &was[1]);
@@ -128,7 +128,7 @@ pager_show_new_output(struct pager *pager)
 	/* The prompt takes a row, too. */
 	bool tall = paged && !signals_is_end_wanted() &&
 		    !is_line_typed_ahead() &&
-		    count_folded_rows(text, columns) >= rows;
+		    count_wrapped_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
 		fputs(text, stdout);
 	fflush(stdout);

@@ -43,7 +43,7 @@ static void
 print_progress_line(const struct session *s, struct progress *p,
     const struct calibrate_status *st)
 {
-	double now = session_clock();
+	double now = session_clock_seconds();
 	if (now - p->shown < 0.25)
 		return;
 	p->shown = now;
@@ -72,7 +72,7 @@ print_progress_line(const struct session *s, struct progress *p,
 }
 
 static void
-print_progress_row(
+print_generation_row_if_due(
     struct session *s, struct progress *p, const struct calibrate_status *st)
 {
 	const double soon = 2; /* s */
@@ -80,7 +80,7 @@ print_progress_row(
 		   (st->generation > 0 && st->generation % 10 == 0);
 	if (st->state >= CALIBRATE_POLISHING || !due ||
 	    st->generation == p->row ||
-	    (!s->job.detail && session_clock() - s->job.started < soon))
+	    (!s->job.detail && session_clock_seconds() - s->job.started < soon))
 		return;
 	p->row = st->generation;
 	fprintf(stderr, tr("  generation %4zu  best %.6g  median %.6g\n"),
@@ -90,7 +90,7 @@ print_progress_row(
 /* Returns true if a plot of the search is to be shown.  For that, the terminal
  * must be able to move its cursor up and to clear what is below it. */
 static bool
-can_watch_search(const struct session *s, const struct progress *p)
+can_plot_search_progress(const struct session *s, const struct progress *p)
 {
 	return p->terminal && s->job.watch && s->job.fits && !s->linear &&
 	       !terminal_is_dumb();
@@ -99,7 +99,7 @@ can_watch_search(const struct session *s, const struct progress *p)
 /* Draws all runs and what the best candidate predicts for them, over the plot
  * of the last generation. */
 static void
-draw_watched_search(
+draw_calibration_plot(
     struct session *s, struct progress *p, const struct calibrate_status *st)
 {
 	enum { WIDEST = 100, HIGHEST = 22, LEAST = 8 };
@@ -128,24 +128,24 @@ draw_watched_search(
 /* Slows down the first seconds of a search, which would otherwise be over
  * before it is seen. */
 static void
-slow_down_watched_search(const struct session *s)
+slow_down_plotted_search(const struct session *s)
 {
 	enum { MOMENT_MS = 40 };
 	const double long_s = 4;
-	if (session_clock() - s->job.started < long_s)
+	if (session_clock_seconds() - s->job.started < long_s)
 		poll(NULL, 0, MOMENT_MS);
 }
 
 static void
-show_watched_search(
+show_search_plot_and_progress(
     struct session *s, struct progress *p, const struct calibrate_status *st)
 {
 	size_t before = p->row;
 	if (st->state == CALIBRATE_SEARCHING)
-		draw_watched_search(s, p, st);
+		draw_calibration_plot(s, p, st);
 	print_progress_line(s, p, st);
 	if (p->row != before)
-		slow_down_watched_search(s);
+		slow_down_plotted_search(s);
 }
 
 static void
@@ -154,17 +154,17 @@ print_progress(struct session *s, struct progress *p)
 	if (!session_is_calibrating(s) || s->notes == NULL)
 		return;
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	if (can_watch_search(s, p))
-		show_watched_search(s, p, &st);
+	if (can_plot_search_progress(s, p))
+		show_search_plot_and_progress(s, p, &st);
 	else if (p->terminal)
 		print_progress_line(s, p, &st);
 	else
-		print_progress_row(s, p, &st);
+		print_generation_row_if_due(s, p, &st);
 }
 
 /* Prints a line about the progress, for SIGUSR1. */
 static void
-print_report_on_signal(const struct session *s)
+print_progress_for_sigusr1(const struct session *s)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	clear_progress_line();
@@ -181,22 +181,22 @@ print_report_on_signal(const struct session *s)
 		     "s\n"),
 	    s->entry[s->job.entry].key, st.generation,
 	    s->job.options.generations, st.best, st.median,
-	    session_clock() - s->job.started);
+	    session_clock_seconds() - s->job.started);
 }
 
 bool
 progress_run_job(struct session *s)
 {
-	struct progress p = {
-	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
-	signals_take_report_wanted();
+	struct progress p = {.terminal = isatty(STDERR_FILENO) != 0,
+	    .shown = session_clock_seconds()};
+	signals_usr1_since_last_call();
 	s->hooks.clear_progress = p.terminal ? clear_progress_line : NULL;
-	while (session_is_calibrating(s) && signals_pending() == 0) {
+	while (session_is_calibrating(s) && signals_get_recorded() == 0) {
 		session_run_parallel_tasks(s);
-		if (session_is_calibrating(s) && signals_take_report_wanted())
-			print_report_on_signal(s);
+		if (session_is_calibrating(s) && signals_usr1_since_last_call())
+			print_progress_for_sigusr1(s);
 		print_progress(s, &p);
 	}
 	clear_progress_line();
-	return signals_pending() == 0;
+	return signals_get_recorded() == 0;
 }

@@ -33,7 +33,7 @@
 
 /* The state of the prompt, static because readline's callbacks cannot be passed
  * it.  before: the lines of a command that continues, joined.  given: how many
- * bytes key_that_ends_input has made up.  offer: what Return alone does now.
+ * bytes fake_key_to_end_input has made up.  offer: what Return alone does now.
  * stage, site, history: of the step offered last, and the site and fit that it
  * was for.  declined: it was declined, and an empty line makes the offer again.
  * command: typed instead of yes or no, or NULL. */
@@ -64,7 +64,7 @@ shared_prefix_bytes(char **text, size_t n)
  * two do not match.  from: where the candidate's word begins in the line;
  * start: where readline's word does. */
 static char *
-fit_candidate_to_word(
+completion_text_for_word(
     const struct candidate *c, const char *line, long from, long start)
 {
 	const char *tail = c->append == '=' ? "=" : "";
@@ -85,11 +85,11 @@ on_readline_complete(const char *text, int start, int end)
 	(void)text;
 	size_t before = strlen(prompt.before), n = 0;
 	FREED char *line = xasprintf("%s%s", prompt.before, rl_line_buffer);
-	struct completion *c =
-	    complete_at_cursor(prompt.session, line, before + (size_t)end);
+	struct completion *c = find_completions_at_cursor(
+	    prompt.session, line, before + (size_t)end);
 	char **matches = xcalloc(c->n + 2, sizeof *matches);
 	for (size_t i = 0; i < c->n; i++) {
-		char *word = fit_candidate_to_word(&c->candidate[i], line,
+		char *word = completion_text_for_word(&c->candidate[i], line,
 		    (long)c->start, (long)before + start);
 		if (word != NULL)
 			matches[++n] = word;
@@ -136,7 +136,7 @@ prompt_text(const struct session *s)
  * it scrolls the line, and loops for ever if the prompt with its invisible
  * characters is as wide as the screen. */
 static void
-set_readline_size(const char *text)
+set_readline_screen_size(const char *text)
 {
 	enum { ROWS = 2, COLUMNS = 20 };
 	int rows, columns, least = COLUMNS;
@@ -161,7 +161,7 @@ wrap_prompt_to_columns(void)
 
 /* Handles ^Z, the return from it, and a change of size. */
 static void
-handle_terminal_signals(void)
+process_terminal_signals(void)
 {
 	int news = signals_take_terminal_events();
 	if (news & SIGNALS_STOP) {
@@ -177,7 +177,7 @@ handle_terminal_signals(void)
 	}
 	if (news & (SIGNALS_WAKE | SIGNALS_SIZE)) {
 		rl_clear_visible_line();
-		set_readline_size(rl_prompt);
+		set_readline_screen_size(rl_prompt);
 		wrap_prompt_to_columns();
 		rl_forced_update_display();
 	}
@@ -187,10 +187,10 @@ handle_terminal_signals(void)
 static bool
 wait_for_key(void)
 {
-	while (signals_pending() == 0) {
+	while (signals_get_recorded() == 0) {
 		if (signals_wait_for_input(INFINITY))
 			return true;
-		handle_terminal_signals();
+		process_terminal_signals();
 	}
 	return false;
 }
@@ -206,7 +206,7 @@ is_bracketed_paste_on(void)
  * command, such as pasted text, it first gets the bytes that end a paste,
  * because readline 8.2 reads past its text if a paste ends in any other way. */
 static int
-key_that_ends_input(void)
+fake_key_to_end_input(void)
 {
 	static const char END[] = "\033[201~";
 	if (!RL_ISSTATE(RL_STATE_READCMD))
@@ -214,7 +214,7 @@ key_that_ends_input(void)
 						     : EOF;
 	rl_point = rl_end;
 	rl_redisplay();
-	if (signals_pending() == SIGINT)
+	if (signals_get_recorded() == SIGINT)
 		fputs("^C", rl_outstream);
 	return READERR;
 }
@@ -233,7 +233,7 @@ on_readline_getc(FILE *in)
 		ssize_t got = -1;
 		errno = EINTR;
 		signals_unblock();
-		if (signals_pending() == 0)
+		if (signals_get_recorded() == 0)
 			got = read(fileno(in), &c, 1);
 		signals_block();
 		if (got == 1)
@@ -241,7 +241,7 @@ on_readline_getc(FILE *in)
 		if (got == 0 || errno != EINTR)
 			break;
 	}
-	return key_that_ends_input();
+	return fake_key_to_end_input();
 }
 
 /* Returns a typed line, which the caller frees, or NULL at the end of input or
@@ -255,16 +255,16 @@ read_prompt_line(const char *text)
 	signals_block();
 	signals_catch_terminal(was);
 	prompt.given = 0;
-	set_readline_size(text);
-	restore_prepare_for_prompt(
+	set_readline_screen_size(text);
+	restore_arm_tty_for_prompt(
 	    is_bracketed_paste_on() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
-	restore_cancel();
+	restore_disarm_tty();
 	/* readline ends the line itself only if it turns bracketed paste
 	 * off. */
 	if (line == NULL && !is_bracketed_paste_on())
 		fputc('\n', rl_outstream);
-	signals_release_terminal(was);
+	signals_uncatch_terminal(was);
 	signals_unblock();
 	return line;
 }
@@ -288,7 +288,7 @@ run_line_with_pager(struct session *s, const char *line, int number)
 /* Runs what was typed up to Return: one line, or several that were pasted.
  * After an error, the step that was offered is offered again. */
 static void
-run_pasted_lines(struct session *s, char *typed, int *number)
+run_entered_lines(struct session *s, char *typed, int *number)
 {
 	if (!text_is_utf8(typed, strlen(typed))) {
 		fputs(
@@ -308,7 +308,7 @@ run_pasted_lines(struct session *s, char *typed, int *number)
 		if (!more && run_line_with_pager(s, joined, (*number)++) != 0 &&
 		    prompt.offer.line != NULL)
 			prompt.stage = -1;
-		if (signals_pending() != 0)
+		if (signals_get_recorded() != 0)
 			break;
 	}
 }
@@ -323,7 +323,7 @@ offer_next_step(const struct session *s)
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	const struct site *site = entry != NULL ? entry->site : NULL;
 	const struct history *history = entry != NULL ? entry->history : NULL;
-	struct next next = next_step(s);
+	struct next next = suggest_next_step(s);
 	bool same = (site == prompt.site && history == prompt.history) ||
 		    (s->n_entry > 1 && next.stage == NEXT_ANSWER);
 	prompt.offer = (struct next){.line = NULL};
@@ -333,9 +333,9 @@ offer_next_step(const struct session *s)
 	prompt.site = site;
 	prompt.history = history;
 	if (next.line != NULL)
-		session_note(s, "%s [Y/n, or a command]", tr(next.words));
+		session_print_note(s, "%s [Y/n, or a command]", tr(next.words));
 	else if (next.words != NULL)
-		session_note(s, "%s", tr(next.words));
+		session_print_note(s, "%s", tr(next.words));
 	prompt.offer = next;
 }
 
@@ -350,14 +350,14 @@ run_offered_commands(struct session *s, int *number)
 		return;
 	}
 	typed_history_add(line);
-	session_note(s, "  %s", line);
+	session_print_note(s, "  %s", line);
 	int status = 0;
 	while (status == 0 && *line != '\0' && !signals_is_end_wanted()) {
 		size_t n = strcspn(line, ";");
 		FREED char *command = xstrndup(line, n);
 		status = batch_run_line_quietly(s, command, *number);
 		if (status == 0)
-			next_print_result_lines(s);
+			next_print_answer_summary(s);
 		line += n + strspn(line + n, "; ");
 	}
 	++*number;
@@ -379,15 +379,16 @@ classify_reply_to_offer(const char *typed)
 /* Handles a line that answers the offer, or says that there is none.  Returns
  * false if the line is a command instead. */
 static bool
-handle_answer_to_offer(struct session *s, const char *typed, int *number)
+handle_reply_to_offer(struct session *s, const char *typed, int *number)
 {
 	enum reply reply = classify_reply_to_offer(typed);
 	bool offered = prompt.offer.line != NULL;
 	bool again = reply == REPLY_EMPTY && prompt.declined && !offered;
 	const bool answers = reply == REPLY_YES || reply == REPLY_NO;
 	if (prompt.before[0] == '\0' && answers && !offered) {
-		session_note(s, "nothing has been asked: type a command, or "
-				"'help'");
+		session_print_note(s,
+		    "nothing has been asked: type a command, or "
+		    "'help'");
 		return true;
 	}
 	if (prompt.before[0] != '\0' ||
@@ -418,7 +419,7 @@ clear_screen_if_asked(const char *typed)
 /* For --safe: takes away the keys of functions that read a settings file, list
  * users or run a shell. */
 static void
-restrict_readline(void)
+unbind_unsafe_readline_keys(void)
 {
 	static const char *const OUT[] = {"re-read-init-file", "tilde-expand",
 	    "vi-tilde-expand", "execute-named-command",
@@ -450,11 +451,11 @@ set_up_readline(struct session *s)
 	rl_completer_quote_characters = "";
 	if (s->safe)
 		setenv("INPUTRC", "/dev/null", 1);
-	history_search_name_functions();
+	history_search_add_to_readline();
 	rl_initialize();
 	history_search_bind_keys();
 	if (s->safe)
-		restrict_readline();
+		unbind_unsafe_readline_keys();
 	/* Text is UTF-8 in every locale, so its bytes are not meta keys. */
 	rl_variable_bind("input-meta", "on");
 	rl_variable_bind("output-meta", "on");
@@ -463,7 +464,7 @@ set_up_readline(struct session *s)
 }
 
 void
-repl_start(struct session *s)
+repl_greet_and_run_init(struct session *s)
 {
 	fprintf(stderr,
 	    tr("tipspeed %s: help lists the commands, tui is full-screen mode, "
@@ -475,7 +476,7 @@ repl_start(struct session *s)
 					 ".config", "init.tip");
 	if (path != NULL && access(path, F_OK) == 0)
 		batch_run_script_file(s, path);
-	signals_forget_interrupt();
+	signals_clear_interrupt();
 	/* So that questions about files on the command line are asked. */
 	s->hooks.ask = ask_question;
 }
@@ -490,7 +491,7 @@ complete_nothing(const char *text, int start, int end)
 }
 
 static char *
-read_line_of_answer(const char *text)
+prompt_for_typed_answer(const char *text)
 {
 	rl_attempted_completion_function = complete_nothing;
 	char *line = read_prompt_line(text);
@@ -504,7 +505,7 @@ read_line_of_answer(const char *text)
 static char *
 repl_ask_question(struct session *s, const struct user_question *q)
 {
-	return ask_with_reader(s, q, read_line_of_answer);
+	return ask_question_with_reader(s, q, prompt_for_typed_answer);
 }
 
 /* Asks for yes or no.  A command typed instead means no, and is run
@@ -513,7 +514,7 @@ static bool
 repl_confirm(struct session *s, const char *question, bool yes)
 {
 	(void)s;
-	text_print_wrapped(question, 0, ask_wrap_columns(), stderr);
+	text_print_wrapped(question, 0, question_wrap_width(), stderr);
 	char *typed = read_prompt_line(
 	    yes ? tr("[Y/n, or a command] ") : tr("[y/N, or a command] "));
 	enum reply reply =
@@ -530,7 +531,7 @@ repl_run(struct session *s)
 {
 	int number = 1;
 	set_up_readline(s);
-	batch_begin_interactive(s);
+	batch_make_session_interactive(s);
 	s->hooks.ask = repl_ask_question;
 	s->hooks.confirm = repl_confirm;
 	while (!s->quit && !signals_is_end_wanted()) {
@@ -538,18 +539,18 @@ repl_run(struct session *s)
 			offer_next_step(s);
 		FREED char *text = prompt_text(s);
 		char *typed = read_prompt_line(text);
-		s->screen = terminal_describe();
+		s->screen = terminal_get_size_and_colours();
 		if (typed != NULL) {
 			if (!clear_screen_if_asked(typed) &&
-			    !handle_answer_to_offer(s, typed, &number))
-				run_pasted_lines(s, typed, &number);
+			    !handle_reply_to_offer(s, typed, &number))
+				run_entered_lines(s, typed, &number);
 			free(typed);
-		} else if (signals_pending() == 0) {
+		} else if (signals_get_recorded() == 0) {
 			break;
 		}
-		if (signals_pending() != 0)
+		if (signals_get_recorded() != 0)
 			prompt.before[0] = '\0';
-		signals_forget_interrupt();
+		signals_clear_interrupt();
 	}
 	typed_history_close();
 	free(prompt.before);
@@ -557,11 +558,11 @@ repl_run(struct session *s)
 }
 
 int
-repl_run_instead_of_screen(struct session *s)
+repl_run_or_note_no_screen(struct session *s)
 {
 	if (!s->prompt)
 		return repl_run(s);
-	session_note(s,
+	session_print_note(s,
 	    "--linear was given: use the prompt instead of full-screen mode");
 	return 0;
 }

@@ -63,7 +63,7 @@ on_fatal_signal(int signal)
 
 /* Called at exit.  The only exit with the terminal in use is that of xalloc. */
 static void
-on_exit_early(void)
+on_exit_restore_terminal(void)
 {
 	static const char say[] =
 	    "tipspeed: ended with its screen open: out of memory\n";
@@ -76,14 +76,14 @@ on_exit_early(void)
 }
 
 void
-restore_record_settings(void)
+terminal_record_settings(void)
 {
 	terminal.known = tcgetattr(STDIN_FILENO, &terminal.usual) == 0;
 }
 
 /* Adds bytes, without the pauses "$<..>" that old terminals needed. */
 static void
-add_restore_bytes(const char *text)
+add_terminal_reset_bytes(const char *text)
 {
 	if (text == NULL || text == (const char *)-1)
 		return;
@@ -113,44 +113,44 @@ catch_fatal_signals(void)
 			sigaction(FAULTS[i], &terminal.was[i], NULL);
 	}
 	if (!asked)
-		atexit(on_exit_early);
+		atexit(on_exit_restore_terminal);
 	asked = true;
 	terminal.open = 1;
 }
 
 void
-restore_prepare_for_screen(void)
+restore_arm_tty_for_screen(void)
 {
 	terminal.n = 0;
 	terminal.full = true;
 	if (tigetstr("kmous") != NULL && tigetstr("kmous") != (char *)-1)
-		add_restore_bytes(MOUSE_OFF);
+		add_terminal_reset_bytes(MOUSE_OFF);
 	const char *cup = tigetstr("cup");
 	if (strncmp(cup, "\033[", 2) == 0)
-		add_restore_bytes("\033[?2004l");
-	add_restore_bytes(tigetstr("rmkx"));
-	add_restore_bytes(tigetstr("sgr0"));
-	add_restore_bytes(tigetstr("cnorm"));
+		add_terminal_reset_bytes("\033[?2004l");
+	add_terminal_reset_bytes(tigetstr("rmkx"));
+	add_terminal_reset_bytes(tigetstr("sgr0"));
+	add_terminal_reset_bytes(tigetstr("cnorm"));
 	if (tigetstr("rmcup") != NULL)
-		add_restore_bytes(tigetstr("rmcup"));
+		add_terminal_reset_bytes(tigetstr("rmcup"));
 	else
-		add_restore_bytes(tparm(tigetstr("cup"), LINES - 1, 0));
-	add_restore_bytes("\r\n");
+		add_terminal_reset_bytes(tparm(tigetstr("cup"), LINES - 1, 0));
+	add_terminal_reset_bytes("\r\n");
 	catch_fatal_signals();
 }
 
 void
-restore_prepare_for_prompt(const char *bytes)
+restore_arm_tty_for_prompt(const char *bytes)
 {
-	restore_record_settings();
+	terminal_record_settings();
 	terminal.n = 0;
 	terminal.full = false;
-	add_restore_bytes(bytes);
+	add_terminal_reset_bytes(bytes);
 	catch_fatal_signals();
 }
 
 void
-restore_cancel(void)
+restore_disarm_tty(void)
 {
 	terminal.open = 0;
 	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)

@@ -27,7 +27,7 @@ on_ending_signal(int signal)
 }
 
 static void
-on_report_wanted(int signal)
+on_progress_report_signal(int signal)
 {
 	asked = signal;
 }
@@ -50,7 +50,7 @@ signals_catch(void)
 	 * because shells started by the program would inherit SIG_IGN. */
 	action.sa_handler = on_file_size_limit;
 	sigaction(SIGXFSZ, &action, NULL);
-	action.sa_handler = on_report_wanted;
+	action.sa_handler = on_progress_report_signal;
 	action.sa_flags = SA_RESTART;
 	sigaction(SIGUSR1, &action, NULL);
 }
@@ -82,7 +82,7 @@ signals_unblock(void)
 }
 
 bool
-signals_wait_with_mask(const sigset_t *mask, double seconds)
+signals_wait_for_input_with_mask(const sigset_t *mask, double seconds)
 {
 	struct timespec time = {0};
 	bool ends = isfinite(seconds);
@@ -101,9 +101,9 @@ signals_wait_with_mask(const sigset_t *mask, double seconds)
 bool
 signals_wait_for_input(double seconds)
 {
-	if (signals_pending() != 0 || stopped || woken || resized)
+	if (signals_get_recorded() != 0 || stopped || woken || resized)
 		return false;
-	return signals_wait_with_mask(&let_in, seconds);
+	return signals_wait_for_input_with_mask(&let_in, seconds);
 }
 
 void
@@ -115,7 +115,7 @@ signals_deliver_blocked(void)
 }
 
 void
-signals_record_suspend(bool note)
+signals_set_suspend_handler(bool note)
 {
 	struct sigaction now,
 	    action = {.sa_handler = note ? on_terminal_signal : SIG_DFL};
@@ -131,11 +131,11 @@ signals_catch_terminal(struct sigaction was[static 3])
 	sigaction(SIGTSTP, NULL, &was[0]);
 	sigaction(SIGCONT, &action, &was[1]);
 	sigaction(SIGWINCH, &action, &was[2]);
-	signals_record_suspend(true);
+	signals_set_suspend_handler(true);
 }
 
 void
-signals_release_terminal(const struct sigaction was[static 3])
+signals_uncatch_terminal(const struct sigaction was[static 3])
 {
 	sigaction(SIGTSTP, &was[0], NULL);
 	sigaction(SIGCONT, &was[1], NULL);
@@ -162,7 +162,7 @@ signals_suspend_program(void)
 }
 
 int
-signals_pending(void)
+signals_get_recorded(void)
 {
 	return ending != 0 ? ending : interrupted ? SIGINT : 0;
 }
@@ -174,7 +174,7 @@ signals_is_end_wanted(void)
 }
 
 void
-signals_forget_interrupt(void)
+signals_clear_interrupt(void)
 {
 	interrupted = 0;
 }
@@ -182,12 +182,12 @@ signals_forget_interrupt(void)
 int
 signals_exit_status(void)
 {
-	int signal = signals_pending();
+	int signal = signals_get_recorded();
 	return signal != 0 ? 128 + signal : 0;
 }
 
 bool
-signals_take_report_wanted(void)
+signals_usr1_since_last_call(void)
 {
 	bool was = asked != 0;
 	asked = 0;
@@ -195,7 +195,7 @@ signals_take_report_wanted(void)
 }
 
 void
-signals_watch_keys(bool keys)
+signals_set_stop_on_key(bool keys)
 {
 	watching = keys;
 }
@@ -205,7 +205,7 @@ signals_is_stop_wanted(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-	if (signals_pending() != 0)
+	if (signals_get_recorded() != 0)
 		return true;
 	sigpending(&held);
 	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||

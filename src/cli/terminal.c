@@ -16,7 +16,7 @@
 static enum colour chosen = COLOUR_AUTO;
 
 bool
-terminal_parse_colour(const char *word, enum colour *colour)
+terminal_parse_colour_mode(const char *word, enum colour *colour)
 {
 	size_t i;
 	bool known = text_find_word_in_list("auto always never", word, &i);
@@ -33,7 +33,7 @@ terminal_is_dumb(void)
 }
 
 void
-terminal_set_colour(enum colour asked)
+terminal_set_colour_mode(enum colour asked)
 {
 	chosen = asked;
 }
@@ -44,7 +44,7 @@ terminal_has_colour(void)
 	const char *own = getenv("TIPSPEED_COLOR"), *no = getenv("NO_COLOR");
 	enum colour asked = chosen;
 	if (asked == COLOUR_AUTO && own != NULL)
-		terminal_parse_colour(own, &asked);
+		terminal_parse_colour_mode(own, &asked);
 	if (asked != COLOUR_AUTO)
 		return asked == COLOUR_ALWAYS;
 	if (no != NULL && no[0] != '\0')
@@ -69,7 +69,7 @@ terminal_size(int *rows, int *columns)
 }
 
 static int
-colour_depth(const char *term)
+terminal_colour_count(const char *term)
 {
 	const char *more = getenv("COLORTERM");
 	bool many = more != NULL && (strcmp(more, "truecolor") == 0 ||
@@ -100,15 +100,16 @@ terminal_has_line_drawing(void)
 }
 
 struct screen
-terminal_describe(void)
+terminal_get_size_and_colours(void)
 {
 	struct screen screen = {0};
 	const char *term = getenv("TERM");
 	if (!isatty(STDOUT_FILENO))
 		return screen;
 	terminal_size(&screen.rows, &screen.columns);
-	screen.colours =
-	    terminal_has_colour() && term != NULL ? colour_depth(term) : 0;
+	screen.colours = terminal_has_colour() && term != NULL
+			     ? terminal_colour_count(term)
+			     : 0;
 	screen.drawing = terminal_has_line_drawing();
 	return screen;
 }

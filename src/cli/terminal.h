@@ -10,10 +10,10 @@
 enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
 
 /* Parses "auto", "always" or "never". */
-bool terminal_parse_colour(const char *word, enum colour *colour);
+bool terminal_parse_colour_mode(const char *word, enum colour *colour);
 
 /* Sets the value of --color. */
-void terminal_set_colour(enum colour asked);
+void terminal_set_colour_mode(enum colour asked);
 
 /* True if colour is to be used.  The first of --color, TIPSPEED_COLOR and
  * NO_COLOR that is set decides; if none is, standard output must be a terminal
@@ -38,6 +38,6 @@ void terminal_size(int *rows, int *columns);
 
 /* Describes the terminal on standard output; all zeros if it is not a
  * terminal. */
-struct screen terminal_describe(void);
+struct screen terminal_get_size_and_colours(void);
 
 #endif

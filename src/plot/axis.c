@@ -12,7 +12,7 @@
 
 /* Returns true if two sizes are the same but for rounding. */
 static bool
-axis_is_same_size(double a, double b)
+are_sieve_sizes_equal(double a, double b)
 {
 	return fabs(a - b) <= 1e-6 * fabs(b);
 }
@@ -22,7 +22,7 @@ is_of_doubling_series(double size)
 {
 	static const double SERIES[] = {0.063, 0.125, 0.25, 0.5};
 	for (size_t i = 0; i < ARRAY_LEN(SERIES); i++)
-		if (axis_is_same_size(size, SERIES[i]))
+		if (are_sieve_sizes_equal(size, SERIES[i]))
 			return true;
 	double power = log2(size);
 	return power >= -1e-6 && fabs(power - round(power)) < 1e-6;
@@ -31,7 +31,7 @@ is_of_doubling_series(double size)
 /* Returns the rank of a sieve's label: 1 for the doubling series, 2 for 5.6,
  * 11.2, 22.4 and 2.8, 1.4, 3 for all others. */
 static int
-rank_of_sieve(double size)
+sieve_label_priority(double size)
 {
 	double power = log2(size / 1.4);
 	return is_of_doubling_series(size)                         ? 1
@@ -49,7 +49,7 @@ axis_add_tick(struct axis *axis, double at, const char *label, int rank)
 }
 
 static void
-axis_add_number(struct axis *axis, double at, int rank)
+axis_add_number_tick(struct axis *axis, double at, int rank)
 {
 	char label[24];
 	snprintf(label, sizeof label, "%g", at);
@@ -77,7 +77,7 @@ static bool
 axis_has_tick_at(const struct axis *axis, double at)
 {
 	for (size_t i = 0; i < axis->n; i++)
-		if (axis_is_same_size(axis->tick[i].at, at))
+		if (are_sieve_sizes_equal(axis->tick[i].at, at))
 			return true;
 	return false;
 }
@@ -88,9 +88,10 @@ axis_new_sieves(const char *title, const double *size, size_t n)
 	struct axis a = {.title = xstrdup(title), .log = true};
 	for (size_t i = 0; i < n; i++)
 		if (!axis_has_tick_at(&a, size[i]))
-			axis_add_number(&a, size[i], rank_of_sieve(size[i]));
+			axis_add_number_tick(
+			    &a, size[i], sieve_label_priority(size[i]));
 	if (a.n == 0)
-		axis_add_number(&a, 1, 0);
+		axis_add_number_tick(&a, 1, 0);
 	qsort(a.tick, a.n, sizeof *a.tick, compare_ticks);
 	a.tick[0].rank = a.tick[a.n - 1].rank = 0;
 	a.low = a.tick[0].at / (a.n > 1 ? 1 : 2);
@@ -105,7 +106,7 @@ axis_new_percent(const char *title)
 	struct axis a = {.title = xstrdup(title), .high = 100};
 	for (size_t i = 0; i < ARRAY_LEN(TICKS); i++) {
 		bool guide = i > 0 && i + 1 < ARRAY_LEN(TICKS);
-		axis_add_number(&a, TICKS[i], guide ? 2 - (i == 2) : 0);
+		axis_add_number_tick(&a, TICKS[i], guide ? 2 - (i == 2) : 0);
 		a.tick[i].guide = guide;
 	}
 	return a;
@@ -114,7 +115,7 @@ axis_new_percent(const char *title)
 /* Returns 1, 2 or 5 times a power of ten, which goes into range some four
  * times. */
 static double
-axis_round_step(double range)
+choose_round_axis_step(double range)
 {
 	double power = pow(10, floor(log10(range / 4)));
 	double part = range / 4 / power;
@@ -129,13 +130,13 @@ axis_new_linear(const char *title, double low, double high)
 		low -= low == 0 ? 1 : fabs(low) / 10;
 		high += high == 0 ? 1 : fabs(high) / 10;
 	}
-	double step = axis_round_step(high - low);
+	double step = choose_round_axis_step(high - low);
 	a.low = floor(low / step + 1e-9) * step;
 	a.high = ceil(high / step - 1e-9) * step;
 	long n = lround((a.high - a.low) / step);
 	for (long i = 0; i <= n; i++) {
 		double at = a.low + (double)i * step;
-		axis_add_number(&a, fabs(at) < step / 1000 ? 0 : at,
+		axis_add_number_tick(&a, fabs(at) < step / 1000 ? 0 : at,
 		    i == 0 || i == n ? 0 : 1);
 	}
 	return a;
@@ -143,7 +144,7 @@ axis_new_linear(const char *title, double low, double high)
 
 /* Returns step i of ..., 1, 2, 5, 10, 20, ...; step 0 is 1. */
 static double
-round_step_at(int i)
+nth_1_2_5_step(int i)
 {
 	static const double STEPS[] = {1, 2, 5};
 	int decade = (int)floor(i / 3.0);
@@ -155,13 +156,13 @@ axis_new_log(const char *title, double low, double high)
 {
 	struct axis a = {.title = xstrdup(title), .log = true};
 	int first = 3 * (int)floor(log10(low));
-	while (round_step_at(first + 1) <= low * (1 + 1e-9))
+	while (nth_1_2_5_step(first + 1) <= low * (1 + 1e-9))
 		first++;
 	int last = first + 1;
-	while (round_step_at(last) < high * (1 - 1e-9))
+	while (nth_1_2_5_step(last) < high * (1 - 1e-9))
 		last++;
 	for (int i = first; i <= last; i++)
-		axis_add_number(&a, round_step_at(i),
+		axis_add_number_tick(&a, nth_1_2_5_step(i),
 		    i == first || i == last ? 0
 		    : i % 3 == 0            ? 1
 					    : 2);
@@ -181,7 +182,7 @@ axis_new_symlog(const char *title, double straight, double most)
 	for (double decade = straight; decade <= most * 1.001; decade *= 10)
 		for (int i = 0; i < 2; i++) {
 			double at = i == 0 ? decade : 3 * decade;
-			int rank = axis_is_same_size(at, most) ? 0 : 2 - i;
+			int rank = are_sieve_sizes_equal(at, most) ? 0 : 2 - i;
 			if (at > most * 1.001)
 				break;
 			axis_add_signed_number(&a, at, rank);
@@ -232,7 +233,7 @@ axis_relative_position(const struct axis *axis, double value)
 /* A position on a border, or just before it by rounding, is in the later
  * part. */
 int
-axis_index_of_share(double share, int n)
+axis_cell_at_position(double share, int n)
 {
 	int i = (int)(share * n + 1e-9);
 	return i < n ? i : n - 1;
@@ -254,7 +255,7 @@ place_axis_label(const struct axis_tick *tick, double share, int columns,
     int rows, char *taken, int *column, int *row)
 {
 	int length = (int)strlen(tick->label);
-	int middle = axis_index_of_share(share, columns);
+	int middle = axis_cell_at_position(share, columns);
 	int from = middle - length / 2;
 	if (from + length > columns)
 		from = columns - length;

@@ -62,7 +62,7 @@ const char *axis_unit_suffix(const struct axis *axis);
 double axis_relative_position(const struct axis *axis, double value);
 
 /* Returns which of n equal parts contains a position from 0 to 1. */
-int axis_index_of_share(double share, int n);
+int axis_cell_at_position(double share, int n);
 
 enum { AXIS_DROPPED = -1 };
 

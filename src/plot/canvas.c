@@ -40,7 +40,7 @@ canvas_cell_at(struct canvas *canvas, int column, int row)
 }
 
 int
-canvas_put_text_within(struct canvas *canvas, int column, int row, int end,
+canvas_draw_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute)
 {
 	if (row < 0 || row >= canvas->rows)
@@ -67,15 +67,15 @@ canvas_put_text_within(struct canvas *canvas, int column, int row, int end,
 }
 
 void
-canvas_put_text(struct canvas *canvas, int column, int row, const char *text,
+canvas_draw_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute)
 {
-	canvas_put_text_within(
+	canvas_draw_text_within(
 	    canvas, column, row, canvas->columns, text, series, attribute);
 }
 
 bool
-canvas_is_faint(
+canvas_is_cell_faint(
     const struct canvas *canvas, const struct canvas_cell *cell, int depth)
 {
 	return depth >= 256 && canvas->theme == THEME_NORMAL &&
@@ -83,24 +83,24 @@ canvas_is_faint(
 }
 
 bool
-canvas_same_style(const struct canvas_cell *a, const struct canvas_cell *b)
+canvas_is_same_style(const struct canvas_cell *a, const struct canvas_cell *b)
 {
 	return a->series == b->series && a->attribute == b->attribute;
 }
 
 static void
-print_cell_style(const struct canvas *canvas, const struct canvas_cell *cell,
-    int depth, FILE *out)
+print_canvas_cell_style(const struct canvas *canvas,
+    const struct canvas_cell *cell, int depth, FILE *out)
 {
-	int colour =
-	    palette_colour((enum series)cell->series, depth, canvas->theme);
+	int colour = palette_colour_of_series(
+	    (enum series)cell->series, depth, canvas->theme);
 	bool bright = depth < 16 && colour >= 8; /* then it is bold */
 	if (bright)
 		colour -= 8;
 	fputs("\033[0", out);
 	if ((cell->attribute & CELL_BOLD) || bright)
 		fputs(";1", out);
-	if (canvas_is_faint(canvas, cell, depth))
+	if (canvas_is_cell_faint(canvas, cell, depth))
 		fputs(";2", out);
 	if (cell->attribute & CELL_REVERSE)
 		fputs(";7", out);
@@ -112,7 +112,7 @@ print_cell_style(const struct canvas *canvas, const struct canvas_cell *cell,
 }
 
 const char *
-canvas_encode_utf8(uint32_t code, char text[static 5])
+canvas_encode_code_point(uint32_t code, char text[static 5])
 {
 	static const unsigned LEAD[] = {0, 0xC0, 0xE0, 0xF0};
 	int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
@@ -136,14 +136,15 @@ canvas_print_row(const struct canvas *canvas, int row, int depth, FILE *out)
 		columns--;
 	for (int i = 0; i < columns; i++) {
 		if (depth > 0 && cell[i].code != 0 &&
-		    !canvas_same_style(&cell[i], &style)) {
-			print_cell_style(canvas, &cell[i], depth, out);
+		    !canvas_is_same_style(&cell[i], &style)) {
+			print_canvas_cell_style(canvas, &cell[i], depth, out);
 			style = cell[i];
 		}
 		if (cell[i].code != 0)
-			fputs(canvas_encode_utf8(cell[i].code, text), out);
+			fputs(
+			    canvas_encode_code_point(cell[i].code, text), out);
 	}
-	if (!canvas_same_style(&style, &plain))
+	if (!canvas_is_same_style(&style, &plain))
 		fputs("\033[0m", out);
 	fputc('\n', out);
 }
@@ -156,13 +157,13 @@ canvas_print(const struct canvas *canvas, int depth, FILE *out)
 }
 
 int
-canvas_cell_dots_across(enum charset charset)
+canvas_dot_columns_per_cell(enum charset charset)
 {
 	return charset == CHARSET_ASCII ? 1 : 2;
 }
 
 int
-canvas_cell_dots_down(enum charset charset)
+canvas_dot_rows_per_cell(enum charset charset)
 {
 	return charset == CHARSET_ASCII       ? 1
 	       : charset == CHARSET_QUADRANTS ? 2
@@ -170,7 +171,7 @@ canvas_cell_dots_down(enum charset charset)
 }
 
 uint32_t
-canvas_dots_code(enum charset charset, unsigned dots)
+canvas_character_of_dots(enum charset charset, unsigned dots)
 {
 	static const uint16_t QUADRANTS[16] = {' ', 0x2598, 0x259D, 0x2580,
 	    0x2596, 0x258C, 0x259E, 0x259B, 0x2597, 0x259A, 0x2590, 0x259C,

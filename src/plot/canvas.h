@@ -37,35 +37,36 @@ struct canvas_cell *canvas_cell_at(struct canvas *canvas, int column, int row);
 
 /* Writes text to the right from a cell, clipped at the edges of the canvas.
  * Control characters are escaped (text_escape_next_character). */
-void canvas_put_text(struct canvas *canvas, int column, int row,
+void canvas_draw_text(struct canvas *canvas, int column, int row,
     const char *text, enum series series, unsigned attribute);
 
-/* As canvas_put_text, but clipped at column `end`.  Returns the column after
+/* As canvas_draw_text, but clipped at column `end`.  Returns the column after
  * the text. */
-int canvas_put_text_within(struct canvas *canvas, int column, int row, int end,
+int canvas_draw_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute);
 
 /* Writes a code point as UTF-8 to text and returns text. */
-const char *canvas_encode_utf8(uint32_t code, char text[static 5]);
+const char *canvas_encode_code_point(uint32_t code, char text[static 5]);
 
 /* True if two cells have the same colour and attributes. */
-bool canvas_same_style(
+bool canvas_is_same_style(
     const struct canvas_cell *a, const struct canvas_cell *b);
 
 /* True if a cell is drawn faint: it is dim, there are 256 colours, and the
  * theme is not a high-contrast one. */
-bool canvas_is_faint(
+bool canvas_is_cell_faint(
     const struct canvas *canvas, const struct canvas_cell *cell, int depth);
 
 /* Prints the rows as lines without trailing spaces, with escape sequences if
  * depth > 0. */
 void canvas_print(const struct canvas *canvas, int depth, FILE *out);
 
-/* canvas_cell_dots_across and canvas_cell_dots_down return the number of dots
- * in a cell in each direction.  canvas_dots_code returns the character with the
- * given dots set, bit 2 * row + column; not for ASCII, which has none. */
-int canvas_cell_dots_across(enum charset charset);
-int canvas_cell_dots_down(enum charset charset);
-uint32_t canvas_dots_code(enum charset charset, unsigned dots);
+/* canvas_dot_columns_per_cell and canvas_dot_rows_per_cell return the number of
+ * dots in a cell in each direction.  canvas_character_of_dots returns the
+ * character with the given dots set, bit 2 * row + column; not for ASCII, which
+ * has none. */
+int canvas_dot_columns_per_cell(enum charset charset);
+int canvas_dot_rows_per_cell(enum charset charset);
+uint32_t canvas_character_of_dots(enum charset charset, unsigned dots);
 
 #endif

@@ -22,10 +22,10 @@ chart_new(const char *title, const char *about, struct axis x, struct axis y)
 }
 
 static void
-free_series(struct chart_series *s)
+free_chart_series(struct chart_series *s)
 {
 	if (s->finer != NULL)
-		free_series(s->finer);
+		free_chart_series(s->finer);
 	free(s->name);
 	free(s->x);
 	free(s->y);
@@ -50,7 +50,7 @@ chart_free(struct chart *chart)
 		return;
 	chart_free(chart->below);
 	for (size_t i = 0; i < chart->n; i++)
-		free_series(chart->series[i]);
+		free_chart_series(chart->series[i]);
 	for (size_t i = 0; i < chart->n_rule; i++)
 		free(chart->rule[i].name);
 	for (size_t i = 0; i < chart->n_note; i++)
@@ -66,7 +66,7 @@ chart_free(struct chart *chart)
 }
 
 struct chart_series *
-chart_add(struct chart *chart, struct chart_series look, size_t n,
+chart_append_series(struct chart *chart, struct chart_series look, size_t n,
     const char *name, ...)
 {
 	chart->series =
@@ -89,10 +89,11 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 }
 
 struct chart_series *
-chart_add_points(struct chart *chart, struct chart_series look, size_t n,
-    const double *x, const double *y, const char *name)
+chart_append_point_series(struct chart *chart, struct chart_series look,
+    size_t n, const double *x, const double *y, const char *name)
 {
-	struct chart_series *s = chart_add(chart, look, n, "%s", name);
+	struct chart_series *s =
+	    chart_append_series(chart, look, n, "%s", name);
 	memcpy(s->x, x, n * sizeof *x);
 	memcpy(s->y, y, n * sizeof *y);
 	return s;
@@ -108,7 +109,7 @@ chart_move_last_series_to_back(struct chart *chart)
 }
 
 struct chart_series *
-chart_add_finer_points(struct chart_series *series, size_t n)
+chart_allocate_finer_points(struct chart_series *series, size_t n)
 {
 	struct chart_series *finer = xcalloc(1, sizeof *finer);
 	*finer = (struct chart_series){
@@ -118,20 +119,20 @@ chart_add_finer_points(struct chart_series *series, size_t n)
 }
 
 void
-chart_add_point_names(struct chart_series *series)
+chart_allocate_point_names(struct chart_series *series)
 {
 	series->whose = xcalloc(series->n, sizeof *series->whose);
 }
 
 void
-series_add_band(struct chart_series *series)
+series_allocate_band(struct chart_series *series)
 {
 	series->low = xcalloc_doubles(series->n);
 	series->high = xcalloc_doubles(series->n);
 }
 
 void
-series_drop_band(struct chart_series *series)
+series_remove_band(struct chart_series *series)
 {
 	free(series->low);
 	free(series->high);
@@ -139,7 +140,7 @@ series_drop_band(struct chart_series *series)
 }
 
 void
-chart_add_rule(
+chart_add_vertical_rule(
     struct chart *chart, enum series series, double x, const char *name, ...)
 {
 	if (!(x >= chart->x.low && x <= chart->x.high))
@@ -154,7 +155,7 @@ chart_add_rule(
 }
 
 void
-chart_note(struct chart *chart, const char *format, ...)
+chart_add_note(struct chart *chart, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
@@ -187,22 +188,22 @@ interpolate(const double *a, bool log_a, const double *b, bool log_b, size_t n,
 }
 
 double
-chart_value_at(const struct chart *chart, const struct chart_series *series,
-    const double *value, double x)
+chart_interpolate_at_x(const struct chart *chart,
+    const struct chart_series *series, const double *value, double x)
 {
 	return interpolate(
 	    series->x, chart->x.log, value, chart->y.log, series->n, x);
 }
 
 double
-chart_y_at(
+chart_series_y_at_x(
     const struct chart *chart, const struct chart_series *series, double x)
 {
-	return chart_value_at(chart, series, series->y, x);
+	return chart_interpolate_at_x(chart, series, series->y, x);
 }
 
 double
-chart_x_at(
+chart_series_x_at_y(
     const struct chart *chart, const struct chart_series *series, double y)
 {
 	if (series->finer != NULL)
@@ -219,7 +220,7 @@ extend_range_to_include(double extent[2], double low, double high)
 }
 
 struct chart_extent
-chart_find_extent(const struct chart *chart)
+chart_compute_extent(const struct chart *chart)
 {
 	struct chart_extent e = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
 	for (size_t i = 0; i < chart->n; i++) {
@@ -258,7 +259,7 @@ static const struct point_mark MARKS[] = {{'+', 0x25CF, 16, 0, false},
 enum { ALL = sizeof MARKS / sizeof MARKS[0], EACH = ALL / 2 };
 
 const struct point_mark *
-mark_of_character(char code)
+point_mark_of_character(char code)
 {
 	for (size_t i = 0; i < ALL; i++)
 		if (MARKS[i].code == code)
@@ -267,7 +268,7 @@ mark_of_character(char code)
 }
 
 char
-mark_character_at(unsigned i, bool hollow)
+nth_mark_character(unsigned i, bool hollow)
 {
 	return MARKS[i % EACH + (hollow ? EACH : 0)].code;
 }

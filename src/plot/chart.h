@@ -32,10 +32,10 @@ struct point_mark {
 };
 
 /* Returns the mark of a character, or NULL. */
-const struct point_mark *mark_of_character(char code);
+const struct point_mark *point_mark_of_character(char code);
 
 /* Returns the character of full or hollow mark i; these repeat cyclically. */
-char mark_character_at(unsigned i, bool hollow);
+char nth_mark_character(unsigned i, bool hollow);
 
 /* The site or material of a point, for a chart with several; NULL for data of
  * no site.  about: the source of its data.  label: a text to show beside the
@@ -65,9 +65,9 @@ struct chart_field {
  * gap on either side and, unless fine, in reverse.  named: labels of points are
  * shown if there is room.  whose, field [n]: may be NULL.
  *
- * finer: more closely spaced points of the same curve, for chart_x_at; owned,
- * or NULL.  compared: the difference of this series from the last one is drawn
- * below.  psd: it is a size distribution, off which P20, P50 and P80 are
+ * finer: more closely spaced points of the same curve, for chart_series_x_at_y;
+ * owned, or NULL.  compared: the difference of this series from the last one is
+ * drawn below.  psd: it is a size distribution, off which P20, P50 and P80 are
  * read. */
 struct chart_series {
 	char *name;
@@ -119,11 +119,12 @@ void chart_free(struct chart *chart);
  * distinguish the series, such as line, ascii and mark; the data in it are
  * ignored.  Returns the series, borrowed; it stays valid when others are
  * added. */
-struct chart_series *chart_add(struct chart *chart, struct chart_series look,
-    size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
+struct chart_series *chart_append_series(struct chart *chart,
+    struct chart_series look, size_t n, const char *name, ...)
+    __attribute__((format(printf, 4, 5)));
 
-/* As chart_add, but with the points x, y [n], which are copied. */
-struct chart_series *chart_add_points(struct chart *chart,
+/* As chart_append_series, but with the points x, y [n], which are copied. */
+struct chart_series *chart_append_point_series(struct chart *chart,
     struct chart_series look, size_t n, const double *x, const double *y,
     const char *name);
 
@@ -132,33 +133,34 @@ void chart_move_last_series_to_back(struct chart *chart);
 
 /* Adds an array `whose` to a series, to be filled with strings that the series
  * then owns. */
-void chart_add_point_names(struct chart_series *series);
+void chart_allocate_point_names(struct chart_series *series);
 
-/* series_add_band adds arrays low and high to a series, for its band;
- * series_drop_band removes them. */
-void series_add_band(struct chart_series *series);
-void series_drop_band(struct chart_series *series);
+/* series_allocate_band adds arrays low and high to a series, for its band;
+ * series_remove_band removes them. */
+void series_allocate_band(struct chart_series *series);
+void series_remove_band(struct chart_series *series);
 
 /* Adds n finer points to a series and returns them; their x and y are to be
  * filled in. */
-struct chart_series *chart_add_finer_points(
+struct chart_series *chart_allocate_finer_points(
     struct chart_series *series, size_t n);
 
 /* Adds a rule, unless x is outside the axis. */
-void chart_add_rule(struct chart *chart, enum series series, double x,
+void chart_add_vertical_rule(struct chart *chart, enum series series, double x,
     const char *name, ...) __attribute__((format(printf, 4, 5)));
 
-void chart_note(struct chart *chart, const char *format, ...)
+void chart_add_note(struct chart *chart, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* chart_y_at returns y at x by interpolation, along lines that are straight on
- * the axes; NAN outside the points.  chart_value_at does so for other values
- * [n] at the points.  chart_x_at returns x at y, where y is monotonic. */
-double chart_value_at(const struct chart *chart,
+/* chart_series_y_at_x returns y at x by interpolation, along lines that are
+ * straight on the axes; NAN outside the points.  chart_interpolate_at_x does so
+ * for other values [n] at the points.  chart_series_x_at_y returns x at y,
+ * where y is monotonic. */
+double chart_interpolate_at_x(const struct chart *chart,
     const struct chart_series *series, const double *value, double x);
-double chart_y_at(
+double chart_series_y_at_x(
     const struct chart *chart, const struct chart_series *series, double x);
-double chart_x_at(
+double chart_series_x_at_y(
     const struct chart *chart, const struct chart_series *series, double y);
 
 /* The ranges of x and y, from and to, that all series cover with their bands;
@@ -166,7 +168,7 @@ double chart_x_at(
 struct chart_extent {
 	double x[2], y[2];
 };
-struct chart_extent chart_find_extent(const struct chart *chart);
+struct chart_extent chart_compute_extent(const struct chart *chart);
 
 /* Sets *on to the number of dots in each dash of a line, and *off to that in
  * each gap; *off is 0 for a solid line. */

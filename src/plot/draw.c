@@ -24,25 +24,25 @@ struct layout {
 	unsigned char *dots;
 };
 
-/* column_of_x returns the column of an x among the data, row_of_y the row of a
- * y: the part that contains the value, always within the data.  parts: into how
- * many parts each cell is divided, 1, or 2 or 4 for dots. */
+/* column_of_chart_x returns the column of an x among the data, row_of_chart_y
+ * the row of a y: the part that contains the value, always within the data.
+ * parts: into how many parts each cell is divided, 1, or 2 or 4 for dots. */
 static int
-column_of_x(const struct layout *l, double x, int parts)
+column_of_chart_x(const struct layout *l, double x, int parts)
 {
-	return axis_index_of_share(
+	return axis_cell_at_position(
 	    axis_relative_position(&l->chart->x, x), l->width * parts);
 }
 
 static int
-row_of_y(const struct layout *l, double y, int parts)
+row_of_chart_y(const struct layout *l, double y, int parts)
 {
-	return axis_index_of_share(
+	return axis_cell_at_position(
 	    1 - axis_relative_position(&l->chart->y, y), l->height * parts);
 }
 
 static uint32_t
-char_of_rule(enum series series, enum charset charset)
+char_of_vertical_rule(enum series series, enum charset charset)
 {
 	bool ascii = charset == CHARSET_ASCII;
 	switch (series) {
@@ -58,7 +58,7 @@ char_of_rule(enum series series, enum charset charset)
 static uint32_t
 char_of_mark(const struct chart_series *s, enum charset charset)
 {
-	const struct point_mark *mark = mark_of_character(s->mark);
+	const struct point_mark *mark = point_mark_of_character(s->mark);
 	return s->fine && mark != NULL && charset != CHARSET_ASCII
 		   ? mark->sign
 		   : (uint32_t)s->mark;
@@ -78,7 +78,7 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 			   : charset == CHARSET_ASCII  ? ascii
 						       : LINES[series->line];
 	if (series->mark != '\0')
-		canvas_encode_utf8(char_of_mark(series, charset), mark);
+		canvas_encode_code_point(char_of_mark(series, charset), mark);
 	/* A heavy line would not look dashed; a bar is meant to be heavy. */
 	if (series->line == CHART_LONG && mark[0] == '\0' && !series->bars)
 		return xasprintf(
@@ -87,22 +87,22 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 	return xasprintf("%s%s%s", line, mark[0] != '\0' ? mark : line, line);
 }
 
-/* As canvas_put_text, but text that the edge would cut is shortened to what can
- * be read. */
+/* As canvas_draw_text, but text that the edge would cut is shortened to what
+ * can be read. */
 static void
-put_text_cut_to_width(struct layout *l, int column, int row, const char *text,
+draw_text_cut_to_width(struct layout *l, int column, int row, const char *text,
     enum series series, unsigned attribute)
 {
 	FREED char *fitted =
 	    text_cut_to_width(text, l->canvas->columns - column);
-	canvas_put_text(l->canvas, column, row, fitted, series, attribute);
+	canvas_draw_text(l->canvas, column, row, fitted, series, attribute);
 }
 
 /* Lays out series that have a name, and then rules, side by side in rows as
  * wide as the canvas.  Draws them from `row` on or, if it is negative, only
  * counts rows.  Returns the number of rows. */
 static int
-lay_out_legend(struct layout *l, int row)
+draw_or_count_legend_rows(struct layout *l, int row)
 {
 	enum { GAP = 3 };
 	const struct chart *c = l->chart;
@@ -126,12 +126,12 @@ lay_out_legend(struct layout *l, int row)
 			rows++;
 		}
 		if (row >= 0)
-			put_text_cut_to_width(
+			draw_text_cut_to_width(
 			    l, column, row + rows - 1, text, series, 0);
 		if (row >= 0 && rule != NULL && column < l->canvas->columns)
 			*canvas_cell_at(l->canvas, column, row + rows - 1) =
 			    (struct canvas_cell){
-				char_of_rule(series, l->charset),
+				char_of_vertical_rule(series, l->charset),
 				(unsigned char)series, 0};
 		column += wide + GAP;
 	}
@@ -141,7 +141,7 @@ lay_out_legend(struct layout *l, int row)
 /* Draws text in lines as wide as the canvas, from `row` on or, if that is
  * negative, only counts them.  Returns their number. */
 static int
-draw_wrapped_text(
+draw_or_count_wrapped_text(
     struct layout *l, int row, const char *text, unsigned attribute)
 {
 	FREED char *wrapped = text_wrapped(text, l->canvas->columns);
@@ -150,28 +150,29 @@ draw_wrapped_text(
 	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save), rows++)
 		if (row >= 0)
-			canvas_put_text(l->canvas, 0, row + rows, line,
+			canvas_draw_text(l->canvas, 0, row + rows, line,
 			    SERIES_TEXT, attribute);
 	return rows;
 }
 
 static int
-lay_out_legend_and_notes(struct layout *l, int row)
+draw_or_count_legend_and_notes(struct layout *l, int row)
 {
-	int rows = l->words & CHART_LEGEND ? lay_out_legend(l, row) : 0;
+	int rows =
+	    l->words & CHART_LEGEND ? draw_or_count_legend_rows(l, row) : 0;
 	size_t n = l->words & CHART_NOTES ? l->chart->n_note : 0;
 	for (size_t i = 0; i < n; i++)
-		rows += draw_wrapped_text(
+		rows += draw_or_count_wrapped_text(
 		    l, row < 0 ? row : row + rows, l->chart->note[i], 0);
 	return rows;
 }
 
 /* Lays out the line about the source of the data.  Returns its rows. */
 static int
-lay_out_data_source(struct layout *l, int row)
+draw_or_count_data_source(struct layout *l, int row)
 {
 	FREED char *text = xasprintf(tr("data: %s"), l->chart->about);
-	return draw_wrapped_text(l, row, text, CELL_DIM);
+	return draw_or_count_wrapped_text(l, row, text, CELL_DIM);
 }
 
 /* Returns the number of columns for the labels of the y axis and its line, the
@@ -206,7 +207,7 @@ rows_of_x_labels(const struct layout *l)
 
 /* A strip has only its title; bare data have not even that. */
 static struct layout
-lay_out_strip(struct layout l)
+lay_out_chart_strip(struct layout l)
 {
 	bool bare = l.words & CHART_BARE;
 	l.title = l.canvas->rows > 1 && !bare ? 0 : -1;
@@ -229,13 +230,13 @@ lay_out_chart(const struct chart *chart, struct canvas *canvas, int left,
 	l.left = left;
 	l.width = canvas->columns - l.left;
 	if (chart->strip > 0 || words & CHART_BARE)
-		return lay_out_strip(l);
+		return lay_out_chart_strip(l);
 	int rows[PARTS] = {[Y_TITLE] = 1,
-	    [LEGEND] = lay_out_legend_and_notes(&l, -1),
+	    [LEGEND] = draw_or_count_legend_and_notes(&l, -1),
 	    [SECOND] = rows_of_x_labels(&l) - 1,
 	    [FOOT] = words & CHART_LEGEND &&
 			     (chart->below == NULL || chart->below->strip > 0)
-			 ? lay_out_data_source(&l, -1)
+			 ? draw_or_count_data_source(&l, -1)
 			 : 0,
 	    [TITLE] = words & CHART_TITLE ? 1 : 0,
 	    [LABELS] = 1,
@@ -265,7 +266,7 @@ lay_out_chart(const struct chart *chart, struct canvas *canvas, int left,
 
 /* Draws a part of an axis, faint so that the data are seen first. */
 static void
-put_axis_char(struct layout *l, int column, int row, uint32_t code)
+draw_axis_char(struct layout *l, int column, int row, uint32_t code)
 {
 	if (column >= 0)
 		*canvas_cell_at(l->canvas, column, row) =
@@ -282,18 +283,18 @@ draw_chart_y_axis(struct layout *l)
 	bool ascii = l->charset == CHARSET_ASCII;
 	FREED char *taken = xcalloc((size_t)l->height, 1);
 	for (int row = 0; row < l->height; row++)
-		put_axis_char(
+		draw_axis_char(
 		    l, l->left - 1, l->top + row, ascii ? '|' : 0x2502);
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < a->n; i++) {
 			const struct axis_tick *t = &a->tick[i];
-			int row = row_of_y(l, t->at, 1);
-			put_axis_char(
+			int row = row_of_chart_y(l, t->at, 1);
+			draw_axis_char(
 			    l, l->left - 1, l->top + row, ascii ? '+' : 0x2524);
 			if (t->rank != rank || taken[row])
 				continue;
 			taken[row] = 1;
-			canvas_put_text(l->canvas,
+			canvas_draw_text(l->canvas,
 			    l->left - 1 - text_width_in_columns(t->label),
 			    l->top + row, t->label, SERIES_TEXT, 0);
 		}
@@ -306,13 +307,14 @@ draw_chart_x_axis_line(struct layout *l)
 	bool ascii = l->charset == CHARSET_ASCII;
 	if (l->axis < 0)
 		return;
-	put_axis_char(l, l->left - 1, l->axis, ascii ? '+' : 0x2514);
+	draw_axis_char(l, l->left - 1, l->axis, ascii ? '+' : 0x2514);
 	for (int column = 0; column < l->width; column++)
-		put_axis_char(
+		draw_axis_char(
 		    l, l->left + column, l->axis, ascii ? '-' : 0x2500);
 	for (size_t i = 0; i < a->n; i++)
-		put_axis_char(l, l->left + column_of_x(l, a->tick[i].at, 1),
-		    l->axis, ascii ? '+' : 0x252C);
+		draw_axis_char(l,
+		    l->left + column_of_chart_x(l, a->tick[i].at, 1), l->axis,
+		    ascii ? '+' : 0x252C);
 }
 
 static void
@@ -326,7 +328,7 @@ draw_chart_x_axis_labels(struct layout *l)
 	axis_place_labels(a, l->width, l->rows_of_x_labels, column, row);
 	for (size_t i = 0; i < a->n; i++)
 		if (row[i] != AXIS_DROPPED)
-			canvas_put_text(l->canvas, l->left + column[i],
+			canvas_draw_text(l->canvas, l->left + column[i],
 			    l->labels + row[i], a->tick[i].label, SERIES_TEXT,
 			    0);
 }
@@ -357,10 +359,10 @@ draw_chart_titles(struct layout *l)
 	FREED char *title = c->strip > 0 ? xstrdup(c->title)
 					 : title_that_fits(c->title, columns);
 	if (l->title >= 0)
-		put_text_cut_to_width(l, 0, l->title, title, SERIES_TEXT,
+		draw_text_cut_to_width(l, 0, l->title, title, SERIES_TEXT,
 		    c->strip > 0 ? CELL_DIM : CELL_BOLD);
 	if (l->y_title >= 0)
-		put_text_cut_to_width(l, 0, l->y_title,
+		draw_text_cut_to_width(l, 0, l->y_title,
 		    text_width_in_columns(axes) <= columns ? axes : c->y.title,
 		    SERIES_TEXT, 0);
 }
@@ -375,16 +377,16 @@ draw_chart_titles_and_axes(struct layout *l)
 	draw_chart_x_axis_line(l);
 	draw_chart_x_axis_labels(l);
 	if (l->legend >= 0)
-		lay_out_legend_and_notes(l, l->legend);
+		draw_or_count_legend_and_notes(l, l->legend);
 	if (l->foot >= 0)
-		lay_out_data_source(l, l->foot);
+		draw_or_count_data_source(l, l->foot);
 }
 
 /* Returns true if a line is drawn at this step of its path, rather than in a
  * gap.  In ASCII a step is a whole cell, so dashes are short; it is mainly the
  * character that tells lines apart. */
 static bool
-is_line_drawn_at_step(enum chart_line line, enum charset charset, int step)
+is_dash_drawn_at_step(enum chart_line line, enum charset charset, int step)
 {
 	int on, off;
 	chart_dash_lengths(line, &on, &off);
@@ -396,7 +398,7 @@ is_line_drawn_at_step(enum chart_line line, enum charset charset, int step)
 }
 
 static void
-put_char_in_plot(struct layout *l, int column, int row, uint32_t code,
+draw_char_in_plot(struct layout *l, int column, int row, uint32_t code,
     enum series series, unsigned attribute)
 {
 	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
@@ -410,10 +412,10 @@ put_char_in_plot(struct layout *l, int column, int row, uint32_t code,
 
 /* Sets a dot.  All dots of a cell share the colour of the last one. */
 static void
-put_dot(struct layout *l, const struct chart_series *s, int x, int y)
+draw_dot_in_plot(struct layout *l, const struct chart_series *s, int x, int y)
 {
-	int across = canvas_cell_dots_across(l->charset),
-	    down = canvas_cell_dots_down(l->charset);
+	int across = canvas_dot_columns_per_cell(l->charset),
+	    down = canvas_dot_rows_per_cell(l->charset);
 	int column = x / across, row = y / down;
 	if (x < 0 || column >= l->width || y < 0 || row >= l->height)
 		return;
@@ -422,8 +424,8 @@ put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 	unsigned all = *dots | bit;
 	uint32_t code = l->charset == CHARSET_ASCII
 			    ? (uint32_t)s->ascii
-			    : canvas_dots_code(l->charset, all);
-	put_char_in_plot(l, column, row, code, s->series, 0);
+			    : canvas_character_of_dots(l->charset, all);
+	draw_char_in_plot(l, column, row, code, s->series, 0);
 	*dots = (unsigned char)all;
 }
 
@@ -431,27 +433,28 @@ put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 static void
 draw_line_segment(struct layout *l, const struct chart_series *s, size_t i)
 {
-	int across = canvas_cell_dots_across(l->charset),
-	    down = canvas_cell_dots_down(l->charset);
+	int across = canvas_dot_columns_per_cell(l->charset),
+	    down = canvas_dot_rows_per_cell(l->charset);
 	if (!isfinite(s->y[i]) || !isfinite(s->y[i + 1]))
 		return;
-	int x0 = column_of_x(l, s->x[i], across);
-	int y0 = row_of_y(l, s->y[i], down);
-	int dx = column_of_x(l, s->x[i + 1], across) - x0;
-	int dy = row_of_y(l, s->y[i + 1], down) - y0;
+	int x0 = column_of_chart_x(l, s->x[i], across);
+	int y0 = row_of_chart_y(l, s->y[i], down);
+	int dx = column_of_chart_x(l, s->x[i + 1], across) - x0;
+	int dy = row_of_chart_y(l, s->y[i + 1], down) - y0;
 	int n = abs(dx) > abs(dy) ? abs(dx) : abs(dy);
 	for (int k = 0; k <= n; k++) {
 		double t = n > 0 ? (double)k / n : 0;
 		int step = dx < 0 ? x0 + dx + n - k : x0 + k;
-		if (is_line_drawn_at_step(s->line, l->charset, step))
-			put_dot(l, s, x0 + (int)lround(t * dx),
+		if (is_dash_drawn_at_step(s->line, l->charset, step))
+			draw_dot_in_plot(l, s, x0 + (int)lround(t * dx),
 			    y0 + (int)lround(t * dy));
 	}
 }
 
 /* Draws a field with a shade for its value, and its label if there is room. */
 static void
-draw_shaded_cell(struct layout *l, const struct chart_series *s, size_t i)
+draw_cell_shaded_by_value(
+    struct layout *l, const struct chart_series *s, size_t i)
 {
 	static const uint32_t SHADES[] = {' ', '.', ':', '#'},
 			      BLOCKS[] = {' ', 0x2591, 0x2592, 0x2593};
@@ -461,19 +464,19 @@ draw_shaded_cell(struct layout *l, const struct chart_series *s, size_t i)
 	size_t shade = 0;
 	while (shade + 1 < ARRAY_LEN(FROM) && value >= FROM[shade + 1])
 		shade++;
-	int left = column_of_x(l, s->x[i] - 0.5, 1);
-	int right = column_of_x(l, s->x[i] + 0.5, 1);
-	int top = row_of_y(l, s->y[i] + 0.5, 1);
-	int foot = row_of_y(l, s->y[i] - 0.5, 1);
+	int left = column_of_chart_x(l, s->x[i] - 0.5, 1);
+	int right = column_of_chart_x(l, s->x[i] + 0.5, 1);
+	int top = row_of_chart_y(l, s->y[i] + 0.5, 1);
+	int foot = row_of_chart_y(l, s->y[i] - 0.5, 1);
 	for (int row = top; row < foot || row == top; row++)
 		for (int column = left; column < right; column++)
-			put_char_in_plot(l, column, row,
+			draw_char_in_plot(l, column, row,
 			    l->charset == CHARSET_ASCII ? SHADES[shade]
 							: BLOCKS[shade],
 			    s->series, 0);
 	int room = right - left - 2, wide = text_width_in_columns(label);
 	if (wide <= room)
-		canvas_put_text(l->canvas,
+		canvas_draw_text(l->canvas,
 		    l->left + left + (right - left - wide) / 2,
 		    l->top + (top + foot) / 2, label, s->series,
 		    shade == 3 ? CELL_BOLD : 0);
@@ -483,7 +486,7 @@ draw_shaded_cell(struct layout *l, const struct chart_series *s, size_t i)
 static int
 column_of_point(const struct layout *l, const struct chart_series *s, size_t i)
 {
-	int column = column_of_x(l, s->x[i], 1) + s->beside;
+	int column = column_of_chart_x(l, s->x[i], 1) + s->beside;
 	int last = l->width - 1;
 	return column < 0 ? 0 : column > last ? last : column;
 }
@@ -493,12 +496,13 @@ column_of_point(const struct layout *l, const struct chart_series *s, size_t i)
 static void
 draw_small_mark(struct layout *l, const struct chart_series *s, size_t i)
 {
-	int down = canvas_cell_dots_down(l->charset), high = down / 2;
-	int row = row_of_y(l, s->y[i], down);
+	int down = canvas_dot_rows_per_cell(l->charset), high = down / 2;
+	int row = row_of_chart_y(l, s->y[i], down);
 	int top = row % down - high / 2, x = 2 * column_of_point(l, s, i);
 	top = top < 0 ? 0 : top > down - high ? down - high : top;
 	for (int k = 0; k < 2 * high; k++)
-		put_dot(l, s, x + k % 2, row - row % down + top + k / 2);
+		draw_dot_in_plot(
+		    l, s, x + k % 2, row - row % down + top + k / 2);
 }
 
 static void
@@ -510,15 +514,15 @@ draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 	if (fine && l->chart->strip > 0)
 		draw_small_mark(l, s, i);
 	else
-		put_char_in_plot(l, column_of_point(l, s, i),
-		    row_of_y(l, s->y[i], 1), char_of_mark(s, l->charset),
+		draw_char_in_plot(l, column_of_point(l, s, i),
+		    row_of_chart_y(l, s->y[i], 1), char_of_mark(s, l->charset),
 		    s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
 			(s->lifted && !fine ? CELL_REVERSE : 0));
 }
 
 static bool
-has_cell_dots(const struct layout *l, int column, int row)
+has_plot_cell_dots(const struct layout *l, int column, int row)
 {
 	return row >= 0 && row < l->height &&
 	       l->dots[row * l->width + column] != 0;
@@ -527,15 +531,15 @@ has_cell_dots(const struct layout *l, int column, int row)
 /* Leaves a gap in a bar around its mark, which shows where the mark is even
  * without colours.  A bar that ends there anyway is not made shorter. */
 static void
-clear_around_marks(struct layout *l, const struct chart_series *s)
+leave_gap_around_bar_marks(struct layout *l, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->lifted; i++)
 		for (int by = -1; by <= 1 && isfinite(s->y[i]); by += 2) {
 			int column = column_of_point(l, s, i);
-			int row = row_of_y(l, s->y[i], 1);
-			if (has_cell_dots(l, column, row) &&
-			    has_cell_dots(l, column, row + 2 * by))
-				put_char_in_plot(
+			int row = row_of_chart_y(l, s->y[i], 1);
+			if (has_plot_cell_dots(l, column, row) &&
+			    has_plot_cell_dots(l, column, row + 2 * by))
+				draw_char_in_plot(
 				    l, column, row + by, ' ', SERIES_TEXT, 0);
 		}
 }
@@ -544,7 +548,7 @@ static bool
 is_mark_hollow(const struct chart_series *s)
 {
 	const struct point_mark *mark =
-	    s->fine ? mark_of_character(s->mark) : NULL;
+	    s->fine ? point_mark_of_character(s->mark) : NULL;
 	return mark != NULL && mark->hollow;
 }
 
@@ -552,7 +556,7 @@ static void
 draw_series_marks(struct layout *l, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->field != NULL; i++)
-		draw_shaded_cell(l, s, i);
+		draw_cell_shaded_by_value(l, s, i);
 	for (size_t i = 0; i < s->n && s->mark != 0 && s->field == NULL; i++)
 		draw_chart_mark(l, s, i);
 }
@@ -562,17 +566,17 @@ static void
 draw_chart_bars(struct layout *l, const struct chart_series *s)
 {
 	enum { DOTTED = 2 };
-	int across = canvas_cell_dots_across(l->charset),
-	    down = canvas_cell_dots_down(l->charset);
+	int across = canvas_dot_columns_per_cell(l->charset),
+	    down = canvas_dot_rows_per_cell(l->charset);
 	int wide = s->line == CHART_LONG ? across : 1;
 	int step = s->line == CHART_DOTTED ? DOTTED : 1;
 	for (size_t i = 0; i < s->n; i++) {
 		int column = column_of_point(l, s, i);
-		int foot = row_of_y(l, s->low[i], down);
-		int top = row_of_y(l, s->high[i], down);
+		int foot = row_of_chart_y(l, s->low[i], down);
+		int top = row_of_chart_y(l, s->high[i], down);
 		for (int y = top; y <= foot; y += step)
 			for (int x = 0; x < wide; x++)
-				put_dot(l, s, column * across + x, y);
+				draw_dot_in_plot(l, s, column * across + x, y);
 	}
 }
 
@@ -587,7 +591,7 @@ value_of_axis_part(const struct axis *a, int i, int n)
 
 /* Shades the rows of a column that the band fills completely. */
 static void
-fill_band_column(
+shade_band_in_plot_column(
     struct layout *l, int column, double low, double high, enum series tint)
 {
 	double top =
@@ -596,21 +600,23 @@ fill_band_column(
 	    l->height * (1 - axis_relative_position(&l->chart->y, low));
 	uint32_t shade = l->charset == CHARSET_ASCII ? ',' : 0x2591;
 	for (int row = (int)ceil(top); row + 1 <= foot; row++)
-		put_char_in_plot(l, column, row, shade, tint, CELL_DIM);
+		draw_char_in_plot(l, column, row, shade, tint, CELL_DIM);
 }
 
 /* Stipples a band at dot x: in every second column, sets the dots at its edges
  * and every fourth dot between them. */
 static void
-stipple_band(struct layout *l, int x, double low, double high, enum series tint)
+stipple_band_column(
+    struct layout *l, int x, double low, double high, enum series tint)
 {
 	enum { EVERY = 2, APART = 4 };
 	const struct chart_series look = {.series = tint};
-	int down = canvas_cell_dots_down(CHARSET_BRAILLE),
-	    top = row_of_y(l, high, down), foot = row_of_y(l, low, down);
+	int down = canvas_dot_rows_per_cell(CHARSET_BRAILLE),
+	    top = row_of_chart_y(l, high, down),
+	    foot = row_of_chart_y(l, low, down);
 	for (int y = top; y <= foot && x % EVERY == 0; y++)
 		if (y == top || y == foot || (y + x) % APART == 0)
-			put_dot(l, &look, x, y);
+			draw_dot_in_plot(l, &look, x, y);
 }
 
 /* Makes the bands drawn so far faint.  Lines then have their cells to
@@ -629,18 +635,19 @@ make_bands_faint(struct layout *l)
 static void
 draw_chart_band(struct layout *l, const struct chart_series *s)
 {
-	int across = canvas_cell_dots_across(l->charset),
+	int across = canvas_dot_columns_per_cell(l->charset),
 	    parts = l->width * across;
 	for (int i = 0; i < parts && s->low != NULL; i++) {
 		double x = value_of_axis_part(&l->chart->x, i, parts);
-		double low = chart_value_at(l->chart, s, s->low, x);
-		double high = chart_value_at(l->chart, s, s->high, x);
+		double low = chart_interpolate_at_x(l->chart, s, s->low, x);
+		double high = chart_interpolate_at_x(l->chart, s, s->high, x);
 		if (isnan(low) || isnan(high))
 			continue;
 		if (l->charset == CHARSET_BRAILLE)
-			stipple_band(l, i, low, high, s->series);
+			stipple_band_column(l, i, low, high, s->series);
 		else if (i % across == 0)
-			fill_band_column(l, i / across, low, high, s->series);
+			shade_band_in_plot_column(
+			    l, i / across, low, high, s->series);
 	}
 }
 
@@ -657,15 +664,16 @@ draw_chart_guides(struct layout *l)
 	for (size_t i = 0; i < l->chart->y.n && (strip || l->height >= TALL);
 	     i++) {
 		const struct axis_tick *t = &l->chart->y.tick[i];
-		int dot = row_of_y(l, t->at, 4) % 4;
-		uint32_t code =
-		    braille ? canvas_dots_code(CHARSET_BRAILLE, 1U << (2 * dot))
-		    : l->charset == CHARSET_ASCII ? '-'
-						  : 0x00B7;
+		int dot = row_of_chart_y(l, t->at, 4) % 4;
+		uint32_t code = braille ? canvas_character_of_dots(
+					      CHARSET_BRAILLE, 1U << (2 * dot))
+				: l->charset == CHARSET_ASCII ? '-'
+							      : 0x00B7;
 		for (int column = every / 2; column < l->width && t->guide;
 		     column += every)
-			put_char_in_plot(l, column, row_of_y(l, t->at, 1), code,
-			    SERIES_TEXT, CELL_DIM);
+			draw_char_in_plot(l, column,
+			    row_of_chart_y(l, t->at, 1), code, SERIES_TEXT,
+			    CELL_DIM);
 	}
 }
 
@@ -673,24 +681,25 @@ draw_chart_guides(struct layout *l)
  * a tall plot it is seen as well, and half as much has to be written to the
  * terminal. */
 static void
-draw_chart_rules(struct layout *l)
+draw_chart_vertical_rules(struct layout *l)
 {
 	enum { TALL = 12 };
 	for (size_t i = 0; i < l->chart->n_rule; i++) {
 		const struct chart_rule *r = &l->chart->rule[i];
-		int column = column_of_x(l, r->x, 1);
+		int column = column_of_chart_x(l, r->x, 1);
 		bool thin = r->series != SERIES_CROSSHAIR;
 		for (int row = 0; row < l->height;
 		     row += thin && l->height >= TALL ? 2 : 1)
-			put_char_in_plot(l, column, row,
-			    char_of_rule(r->series, l->charset), r->series, 0);
+			draw_char_in_plot(l, column, row,
+			    char_of_vertical_rule(r->series, l->charset),
+			    r->series, 0);
 	}
 }
 
 /* Returns true if cells of a row, and one on either side, are among the data
  * and still blank. */
 static bool
-is_blank_around(struct layout *l, int column, int row, int wide)
+are_plot_cells_blank(struct layout *l, int column, int row, int wide)
 {
 	for (int c = column - 1; c <= column + wide; c++)
 		if (c < 0 || c >= l->width ||
@@ -709,11 +718,11 @@ draw_chart_point_name(struct layout *l, const struct chart_series *s, size_t i)
 	if (label == NULL || !isfinite(s->y[i]))
 		return;
 	int wide = text_width_in_columns(label), at = column_of_point(l, s, i);
-	int row = row_of_y(l, s->y[i], 1);
+	int row = row_of_chart_y(l, s->y[i], 1);
 	int from[] = {at + 2, at - 1 - wide};
 	for (size_t k = 0; k < ARRAY_LEN(from); k++)
-		if (is_blank_around(l, from[k], row, wide)) {
-			canvas_put_text(l->canvas, l->left + from[k],
+		if (are_plot_cells_blank(l, from[k], row, wide)) {
+			canvas_draw_text(l->canvas, l->left + from[k],
 			    l->top + row, label, s->series, 0);
 			return;
 		}
@@ -728,7 +737,7 @@ draw_chart_data(struct layout *l)
 			draw_chart_band(l, c->series[i]);
 	make_bands_faint(l);
 	draw_chart_guides(l);
-	draw_chart_rules(l);
+	draw_chart_vertical_rules(l);
 	for (size_t i = 0; i < c->n; i++)
 		if (c->series[i]->bars)
 			draw_chart_bars(l, c->series[i]);
@@ -736,7 +745,7 @@ draw_chart_data(struct layout *l)
 			for (size_t k = 0; k + 1 < c->series[i]->n; k++)
 				draw_line_segment(l, c->series[i], k);
 	for (size_t i = 0; i < c->n; i++)
-		clear_around_marks(l, c->series[i]);
+		leave_gap_around_bar_marks(l, c->series[i]);
 	/* If two marks share a cell, a hollow one is seen. */
 	for (int hollow = 0; hollow <= 1; hollow++)
 		for (size_t i = 0; i < c->n; i++)
@@ -761,8 +770,9 @@ find_nearest_mark(
 		for (size_t i = 0; marks && i < of->n; i++) {
 			if (!isfinite(of->x[i]) || !isfinite(of->y[i]))
 				continue;
-			int dx = abs(column_of_x(l, of->x[i], 1) - column),
-			    dy = abs(row_of_y(l, of->y[i], 1) - row);
+			int dx =
+				abs(column_of_chart_x(l, of->x[i], 1) - column),
+			    dy = abs(row_of_chart_y(l, of->y[i], 1) - row);
 			if (dx > 1 || dy > 1 || dx + 2 * dy >= best)
 				continue;
 			best = dx + 2 * dy;
@@ -774,13 +784,13 @@ find_nearest_mark(
 
 /* Finds the line in a row at f->x, of several the one on top. */
 static void
-find_line_at_cell(const struct layout *l, int row, struct chart_found *f)
+find_chart_line_at_cell(const struct layout *l, int row, struct chart_found *f)
 {
 	for (size_t s = l->chart->n; s-- > 0 && f->series == NULL;) {
 		const struct chart_series *of = l->chart->series[s];
-		double y = chart_y_at(l->chart, of, f->x);
+		double y = chart_series_y_at_x(l->chart, of, f->x);
 		if (of->line == CHART_MARKS || isnan(y) ||
-		    abs(row_of_y(l, y, 1) - row) > 1)
+		    abs(row_of_chart_y(l, y, 1) - row) > 1)
 			continue;
 		f->series = of;
 		const struct axis *a = &l->chart->x;
@@ -797,7 +807,7 @@ find_line_at_cell(const struct layout *l, int row, struct chart_found *f)
 }
 
 static bool
-find_at_plot_cell(
+find_data_at_plot_cell(
     const struct layout *l, int column, int row, struct chart_found *f)
 {
 	*f = (struct chart_found){.chart = l->chart};
@@ -808,7 +818,7 @@ find_at_plot_cell(
 	f->x = value_of_axis_part(&l->chart->x, column, l->width);
 	f->y = value_of_axis_part(&l->chart->y, l->height - 1 - row, l->height);
 	find_nearest_mark(l, column, row, f);
-	find_line_at_cell(l, row, f);
+	find_chart_line_at_cell(l, row, f);
 	return true;
 }
 
@@ -825,7 +835,7 @@ count_stacked_charts(const struct chart *chart)
  * share what is left.  A strip has the rows it asks for, or none if its chart
  * would become too low. */
 static int
-rows_of_chart(const struct chart *chart, int left, int n)
+count_rows_of_chart(const struct chart *chart, int left, int n)
 {
 	enum { LEAST = 8 };
 	const struct chart *below = chart->below;
@@ -837,7 +847,7 @@ rows_of_chart(const struct chart *chart, int left, int n)
 }
 
 bool
-chart_find_at_cell(const struct chart *chart, int columns, int rows,
+chart_find_data_at_cell(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found)
 {
@@ -846,10 +856,11 @@ chart_find_at_cell(const struct chart *chart, int columns, int rows,
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
 		struct canvas own = {.columns = columns,
-		    .rows = rows_of_chart(c, rows - top, n--)};
+		    .rows = count_rows_of_chart(c, rows - top, n--)};
 		struct layout l = lay_out_chart(c, &own, left, charset, words);
 		if (row < top + own.rows)
-			return find_at_plot_cell(&l, column, row - top, found);
+			return find_data_at_plot_cell(
+			    &l, column, row - top, found);
 		top += own.rows;
 	}
 	return false;
@@ -867,7 +878,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
 		struct canvas own = {.columns = columns,
-		    .rows = rows_of_chart(c, rows - top, n--),
+		    .rows = count_rows_of_chart(c, rows - top, n--),
 		    .cell = all->cell + top * columns};
 		struct layout l = lay_out_chart(c, &own, left, charset, words);
 		draw_chart_titles_and_axes(&l);

@@ -36,7 +36,7 @@ struct chart_found {
 
 /* Finds what chart_draw would draw in a cell.  Returns false for a cell outside
  * the data. */
-bool chart_find_at_cell(const struct chart *chart, int columns, int rows,
+bool chart_find_data_at_cell(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found);
 

@@ -16,7 +16,7 @@ dark_version_of_colour(int colour)
  * No bright black, which some terminals do not show, and no dark blue, which
  * the Linux console hardly shows on black. */
 int
-palette_colour(enum series series, int depth, enum theme theme)
+palette_colour_of_series(enum series series, int depth, enum theme theme)
 {
 	static const struct {
 		signed char of8, of16;
@@ -67,7 +67,7 @@ palette_colour_to_rgb(int colour)
 unsigned
 palette_series_rgb_on_white(enum series series, enum theme theme)
 {
-	int colour = palette_colour(
+	int colour = palette_colour_of_series(
 	    series, 256, theme == THEME_NORMAL ? THEME_NORMAL : THEME_LIGHT);
 	return colour < 0 ? 0x000000 : palette_colour_to_rgb(colour);
 }

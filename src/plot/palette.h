@@ -37,7 +37,7 @@ enum theme { THEME_NORMAL, THEME_DARK, THEME_LIGHT, THEMES };
  * apart even with red-green blindness (tests/unit/test_palette.c), and nothing
  * is marked by colour alone.  Of 16 colours, those from 8 up are bright; with 8
  * colours, such a number means bold. */
-int palette_colour(enum series series, int depth, enum theme theme);
+int palette_colour_of_series(enum series series, int depth, enum theme theme);
 
 /* Returns 0xRRGGBB for a colour number, as in xterm. */
 unsigned palette_colour_to_rgb(int colour);

@@ -106,7 +106,7 @@ svg_close(struct pen *pen)
 }
 
 static void
-svg_put_background(const struct svg *svg, double width, double height)
+svg_write_background(const struct svg *svg, double width, double height)
 {
 	const struct pen_paper *p = &svg->paper;
 	if (p->corner > 0)
@@ -143,6 +143,6 @@ pen_new_svg(double width, double height, const struct pen_paper *paper,
 	fputs("</title>\n<desc>", out);
 	text_print_xml(about, out);
 	fputs("</desc>\n", out);
-	svg_put_background(svg, width, height);
+	svg_write_background(svg, width, height);
 	return &svg->pen;
 }

@@ -50,7 +50,7 @@ struct chart_page {
 };
 
 bool
-picture_form_of_file_name(const char *path, enum picture_form *form)
+picture_format_of_file_name(const char *path, enum picture_form *form)
 {
 	static const char *const ENDS[] = {[PICTURE_SVG] = ".svg",
 	    [PICTURE_PNG] = ".png",
@@ -64,7 +64,7 @@ picture_form_of_file_name(const char *path, enum picture_form *form)
 }
 
 static struct pen_paper
-white_paper(enum theme theme)
+make_white_pen_paper(enum theme theme)
 {
 	struct pen_paper paper = {.colour = 0xFFFFFF};
 	for (int i = 0; i < SERIES_COUNT; i++)
@@ -74,19 +74,19 @@ white_paper(enum theme theme)
 }
 
 bool
-picture_can_draw_form(enum picture_form form)
+picture_can_draw_format(enum picture_form form)
 {
 	return HAVE_CAIRO || form == PICTURE_SVG || form == PICTURE_INLINE;
 }
 
 const char *
-picture_list_forms(void)
+picture_list_formats(void)
 {
 	return HAVE_CAIRO ? "svg, png, pdf" : "svg (built without cairo)";
 }
 
 static struct pen *
-new_pen_for_form(enum picture_form form, double width, double height,
+new_pen_for_format(enum picture_form form, double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     FILE *out)
 {
@@ -217,7 +217,7 @@ picture_draw_mark(
     struct chart_page *p, const struct chart_series *s, double x, double y)
 {
 	const struct point_mark *fine =
-	    s->fine ? mark_of_character(s->mark) : NULL;
+	    s->fine ? point_mark_of_character(s->mark) : NULL;
 	int sides = s->mark == 'o'                     ? 16
 		    : s->mark == 'v' || s->mark == '^' ? 3
 		    : s->mark == '#'                   ? 4
@@ -273,7 +273,7 @@ stroke_of_bar(const struct chart_series *s)
 
 /* Draws a line from low to high at each point. */
 static void
-draw_spans(struct chart_page *p, const struct chart_series *s)
+draw_range_bars(struct chart_page *p, const struct chart_series *s)
 {
 	struct pen_stroke stroke = stroke_of_bar(s);
 	for (size_t i = 0; i < s->n; i++) {
@@ -285,7 +285,7 @@ draw_spans(struct chart_page *p, const struct chart_series *s)
 
 /* Draws the line, lifting the pen where a value is missing. */
 static void
-picture_draw_line(struct chart_page *p, const struct chart_series *s)
+picture_draw_series_line(struct chart_page *p, const struct chart_series *s)
 {
 	FREED double *x = xcalloc_doubles(s->n), *y = xcalloc_doubles(s->n);
 	struct pen_stroke stroke = {s->series, s->line, 1.2, PEN_OPEN};
@@ -303,7 +303,7 @@ picture_draw_line(struct chart_page *p, const struct chart_series *s)
 }
 
 static struct pen_stroke
-stroke_of_rule(const struct chart_rule *rule)
+stroke_of_chart_rule(const struct chart_rule *rule)
 {
 	enum chart_line line = rule->series == SERIES_OTHER ? CHART_DASHED
 			       : rule->series == SERIES_CROSSHAIR
@@ -315,7 +315,8 @@ stroke_of_rule(const struct chart_rule *rule)
 /* Draws a square whose area shows the value, unless that is NAN, and the
  * label. */
 static void
-draw_area_square(struct chart_page *p, const struct chart_series *s, size_t i)
+draw_square_sized_by_value(
+    struct chart_page *p, const struct chart_series *s, size_t i)
 {
 	double x = page_x_of_value(p, s->x[i]), y = page_y_of_value(p, s->y[i]);
 	double width = page_x_of_value(p, s->x[i] + 0.5) -
@@ -431,18 +432,18 @@ picture_draw_data(struct chart_page *p)
 	for (size_t i = 0; i < c->n_rule; i++) {
 		double x = page_x_of_value(p, c->rule[i].x);
 		draw_straight_line(
-		    p, x, p->top, x, foot, stroke_of_rule(&c->rule[i]));
+		    p, x, p->top, x, foot, stroke_of_chart_rule(&c->rule[i]));
 	}
 	for (size_t i = 0; i < c->n; i++)
 		if (c->series[i]->bars)
-			draw_spans(p, c->series[i]);
+			draw_range_bars(p, c->series[i]);
 		else
-			picture_draw_line(p, c->series[i]);
+			picture_draw_series_line(p, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
 		for (size_t j = 0; j < c->series[i]->n; j++) {
 			const struct chart_series *s = c->series[i];
 			if (s->field != NULL)
-				draw_area_square(p, s, j);
+				draw_square_sized_by_value(p, s, j);
 			else if (s->mark != 0 && isfinite(s->y[j]))
 				picture_draw_mark(p, s,
 				    page_x_of_point(p, s, j),
@@ -461,7 +462,7 @@ draw_legend_entry(struct chart_page *p, size_t i, double x, double y)
 	const struct chart_rule *r = s ? NULL : &c->rule[i - c->n];
 	struct pen_stroke stroke =
 	    s != NULL ? (struct pen_stroke){s->series, s->line, 1.2, PEN_OPEN}
-		      : stroke_of_rule(r);
+		      : stroke_of_chart_rule(r);
 	if (stroke.line != CHART_MARKS)
 		draw_straight_line(p, x, y, x + SAMPLE, y,
 		    s != NULL && s->bars ? stroke_of_bar(s) : stroke);
@@ -555,7 +556,7 @@ rows_of_title(const struct chart_page *p)
 }
 
 static void
-picture_draw_page(struct chart_page *p)
+picture_draw_one_chart(struct chart_page *p)
 {
 	double x[] = {
 	    p->left, p->left + p->width, p->left + p->width, p->left, p->left};
@@ -632,7 +633,7 @@ draw_on_page(const struct chart *chart, const char *program, double width,
 	double end = 0;
 	for (const struct chart *c = chart; c != NULL; c = c->below) {
 		end = place_chart_on_page(&p, c, end);
-		picture_draw_page(&p);
+		picture_draw_one_chart(&p);
 	}
 	draw_text_lines(&p, foot, p.layout->margin, end + FOOT_ROW, FOOT_ROW,
 	    &(struct pen_style){.size = p.layout->foot});
@@ -652,13 +653,13 @@ chart_picture_draw(
 }
 
 bool
-picture_write(const struct chart *chart, enum picture_form form, double width,
-    const char *program, FILE *out)
+picture_write_chart(const struct chart *chart, enum picture_form form,
+    double width, const char *program, FILE *out)
 {
-	const struct pen_paper paper = white_paper(chart->theme);
-	struct pen *pen =
-	    new_pen_for_form(form, width, height_on_page(chart, program, width),
-		&paper, chart->title, chart->about, out);
+	const struct pen_paper paper = make_white_pen_paper(chart->theme);
+	struct pen *pen = new_pen_for_format(form, width,
+	    height_on_page(chart, program, width), &paper, chart->title,
+	    chart->about, out);
 	draw_on_page(chart, program, width, pen);
 	return pen->close(pen);
 }
@@ -667,9 +668,9 @@ struct pen *
 picture_new_pdf_pages(double width, double height, const char *title,
     const char *about, FILE *out)
 {
-	const struct pen_paper paper = white_paper(THEME_NORMAL);
-	return HAVE_CAIRO ? new_pen_for_form(PICTURE_PDF, width, height, &paper,
-				title, about, out)
+	const struct pen_paper paper = make_white_pen_paper(THEME_NORMAL);
+	return HAVE_CAIRO ? new_pen_for_format(PICTURE_PDF, width, height,
+				&paper, title, about, out)
 			  : NULL;
 }
 
@@ -721,7 +722,8 @@ static const struct shape {
 /* Writes the bars of a character and returns their number, which is 0 for a
  * character that is text. */
 static size_t
-bars_of_character(uint32_t code, enum kind *kind, struct bar bar[static BARS])
+bars_of_block_character(
+    uint32_t code, enum kind *kind, struct bar bar[static BARS])
 {
 	/* Dots 1 to 8 of braille: column, row. */
 	static const unsigned char DOTS[BARS][2] = {
@@ -744,7 +746,8 @@ bars_of_character(uint32_t code, enum kind *kind, struct bar bar[static BARS])
 	/* Bits of the quarters that are full: top left, top right, and below
 	 * them. */
 	unsigned set = 15;
-	while (set > 0 && canvas_dots_code(CHARSET_QUADRANTS, set) != code)
+	while (
+	    set > 0 && canvas_character_of_dots(CHARSET_QUADRANTS, set) != code)
 		set--;
 	*kind = BLOCK;
 	for (unsigned i = 0; i < 4; i++)
@@ -765,7 +768,7 @@ struct bars {
 
 /* The places of bars are multiples of 3/4, in points. */
 static bool
-is_same_place(double a, double b)
+are_coordinates_close(double a, double b)
 {
 	return fabs(a - b) < 0.1;
 }
@@ -781,9 +784,9 @@ add_or_join_bar(struct bars *s, int column, int row, const struct bar *bar)
 	double y0 = top + bar->y0 * CELL_HEIGHT / 8;
 	size_t last = s->n > 0 ? 2 * s->n - 1 : 0;
 	bool joins = s->n > 0 && bar->y0 == bar->y1 && bar->x1 > bar->x0 &&
-		     is_same_place(s->x[last], x0) &&
-		     is_same_place(s->y[last], y0) &&
-		     is_same_place(s->y[last - 1], y0);
+		     are_coordinates_close(s->x[last], x0) &&
+		     are_coordinates_close(s->y[last], y0) &&
+		     are_coordinates_close(s->y[last - 1], y0);
 	if (!joins) {
 		last = 2 * s->n++ + 1;
 		s->x = xrealloc(s->x, 2 * s->n, sizeof *s->x);
@@ -810,17 +813,18 @@ draw_and_free_bars(struct bars *bars, struct pen *pen, struct pen_bar look,
 /* Draws the bars of all cells, those of the same kind, colour and faintness in
  * one path. */
 static void
-draw_bars_of_cells(const struct canvas *canvas, int depth, struct pen *pen)
+draw_bars_of_canvas_cells(
+    const struct canvas *canvas, int depth, struct pen *pen)
 {
 	static const struct bar WHOLE = {0, 4, 8, 4};
 	struct bars all[KINDS][SERIES_COUNT][2] = {0};
 	for (int k = 0; k < canvas->columns * canvas->rows; k++) {
 		const struct canvas_cell *cell = &canvas->cell[k];
 		int column = k % canvas->columns, row = k / canvas->columns;
-		bool faint = canvas_is_faint(canvas, cell, depth);
+		bool faint = canvas_is_cell_faint(canvas, cell, depth);
 		enum kind kind = GROUND;
 		struct bar bar[BARS];
-		size_t n = bars_of_character(cell->code, &kind, bar);
+		size_t n = bars_of_block_character(cell->code, &kind, bar);
 		for (size_t i = 0; i < n; i++)
 			add_or_join_bar(&all[kind][cell->series][faint], column,
 			    row, &bar[i]);
@@ -841,20 +845,20 @@ is_text_cell(const struct canvas_cell *cell)
 	enum kind kind;
 	struct bar bar[BARS];
 	return cell->code > ' ' && cell->code != 0x2800 &&
-	       bars_of_character(cell->code, &kind, bar) == 0;
+	       bars_of_block_character(cell->code, &kind, bar) == 0;
 }
 
 /* Returns the column after a run of text that begins at `from`: cells of the
  * same style, with no more than one space between words. */
 static int
-end_of_alike_cells(const struct canvas *canvas, int from, int row)
+end_of_same_style_text(const struct canvas *canvas, int from, int row)
 {
 	const struct canvas_cell *cell = canvas->cell + row * canvas->columns;
 	int end = from + 1;
 	for (int c = from + 1; c < canvas->columns; c++) {
 		bool wide = cell[c].code == 0;
 		bool text = is_text_cell(&cell[c]) &&
-			    canvas_same_style(&cell[c], &cell[from]);
+			    canvas_is_same_style(&cell[c], &cell[from]);
 		if (!wide && !text && (cell[c].code != ' ' || end < c))
 			break;
 		end = wide || text ? c + 1 : end;
@@ -863,7 +867,7 @@ end_of_alike_cells(const struct canvas *canvas, int from, int row)
 }
 
 static void
-draw_text_of_row(
+draw_canvas_row_text(
     const struct canvas *canvas, int depth, struct pen *pen, int row)
 {
 	FREED char *text = xcalloc((size_t)canvas->columns + 1, 5);
@@ -874,25 +878,26 @@ draw_text_of_row(
 		end = c + 1;
 		if (!is_text_cell(cell))
 			continue;
-		end = end_of_alike_cells(canvas, c, row);
+		end = end_of_same_style_text(canvas, c, row);
 		for (int i = 0; i < end - c; i++)
 			if (cell[i].code != 0)
-				at = stpcpy(
-				    at, canvas_encode_utf8(cell[i].code, code));
+				at = stpcpy(at, canvas_encode_code_point(
+						    cell[i].code, code));
 		pen->text(pen, MARGIN + CELL_WIDTH * c,
 		    MARGIN + CELL_HEIGHT * row + BASE_LINE, text,
 		    &(struct pen_style){.size = LETTERS,
 			.length = CELL_WIDTH * (end - c),
 			.bold = cell->attribute & CELL_BOLD,
 			.inverse = cell->attribute & CELL_REVERSE,
-			.faint = canvas_is_faint(canvas, cell, depth),
+			.faint = canvas_is_cell_faint(canvas, cell, depth),
 			.series = (enum series)cell->series});
 	}
 }
 
 /* Returns the paper for cells.  Sets size to its width and height, points. */
 static struct pen_paper
-paper_for_cells(const struct canvas *canvas, int depth, double size[2])
+make_pen_paper_for_canvas(
+    const struct canvas *canvas, int depth, double size[2])
 {
 	bool light = canvas->theme == THEME_LIGHT;
 	struct pen_paper paper = {.colour = light ? 0xFFFFFF : 0x161B22,
@@ -900,8 +905,8 @@ paper_for_cells(const struct canvas *canvas, int depth, double size[2])
 	    .corner = 6,
 	    .mono = true};
 	for (int i = 0; i < SERIES_COUNT; i++) {
-		int colour =
-		    palette_colour((enum series)i, depth, canvas->theme);
+		int colour = palette_colour_of_series(
+		    (enum series)i, depth, canvas->theme);
 		paper.ink[i] = colour >= 0 ? palette_colour_to_rgb(colour)
 			       : light     ? 0x000000
 					   : 0xDFE3E8;
@@ -916,11 +921,11 @@ picture_write_screen(const struct canvas *canvas, int depth,
     enum picture_form form, const char *title, const char *about, FILE *out)
 {
 	double size[2];
-	struct pen_paper paper = paper_for_cells(canvas, depth, size);
-	struct pen *pen =
-	    new_pen_for_form(form, size[0], size[1], &paper, title, about, out);
-	draw_bars_of_cells(canvas, depth, pen);
+	struct pen_paper paper = make_pen_paper_for_canvas(canvas, depth, size);
+	struct pen *pen = new_pen_for_format(
+	    form, size[0], size[1], &paper, title, about, out);
+	draw_bars_of_canvas_cells(canvas, depth, pen);
 	for (int row = 0; row < canvas->rows; row++)
-		draw_text_of_row(canvas, depth, pen, row);
+		draw_canvas_row_text(canvas, depth, pen, row);
 	return pen->close(pen);
 }

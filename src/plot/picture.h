@@ -16,20 +16,20 @@ enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF, PICTURE_INLINE };
 
 /* Determines the form from the extension of a file (".svg").  Returns false for
  * other extensions. */
-bool picture_form_of_file_name(const char *path, enum picture_form *form);
+bool picture_format_of_file_name(const char *path, enum picture_form *form);
 
 /* True if this program can draw the form.  PNG and PDF need cairo, without
  * which it may have been built. */
-bool picture_can_draw_form(enum picture_form form);
+bool picture_can_draw_format(enum picture_form form);
 
 /* Returns the names of the forms that this program can draw. */
-const char *picture_list_forms(void);
+const char *picture_list_formats(void);
 
 /* Writes the chart with axes, legend and notes and, at its foot, the source of
  * the data and the program ("tipspeed 0.1.0").  Ticks, marks and dashes are
  * those of chart_draw.  width: in points; below PICTURE_WIDTH the legend is
  * below the plot.  Returns false if it cannot be drawn or written. */
-bool picture_write(const struct chart *chart, enum picture_form form,
+bool picture_write_chart(const struct chart *chart, enum picture_form form,
     double width, const char *program, FILE *out);
 
 /* For callers that lay out the pages of a PDF, in points.

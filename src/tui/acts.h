@@ -15,10 +15,10 @@ enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 /* Where a key acts, as bits: 1 << page, which is ON_FIT for PAGE_FIT.  The bits
  * FIRST_ON_.. are for a key that acts on all pages: the ? list of those pages
  * shows it first.  AT_SPEED: the key acts at the slider's speed; if n, p or N
- * is still waiting for the speeds of the goal (act_go_to_goal_speed), the
- * slider goes there first.  CHANGES: the key changes results, the
- * speed or the band, see viewer.c.  RUNS_COMMAND: the key runs the command
- * whose name is its hint. */
+ * is still waiting for the speeds of the goal (act_move_slider_to_goal_speed),
+ * the slider goes there first.  CHANGES: the key changes results, the speed or
+ * the band, see viewer.c.  RUNS_COMMAND: the key runs the command whose name is
+ * its hint. */
 #define PAGE_BIT(NUMBER, name, heading, key) ON_##NUMBER = 1 << PAGE_##NUMBER,
 enum {
 	SCREEN_PAGES(PAGE_BIT) ON_ALL = (1 << PAGES) - 1,
@@ -57,36 +57,37 @@ enum { TO_LEAST = -1, TO_MOST = 1 };
 key_action act_move_list_or_slider, act_move_to_end, act_move_in_list;
 
 /* Move the slider.  act_type_speed begins a speed to go to.
- * act_go_to_run_speed goes to the slowest run (amount -1), a middle one (0) or
- * the fastest (1).  act_go_to_goal_speed goes to the next limit of the goal or,
- * without a goal, to the next run; for an amount of 0, to the best speed of the
- * goal.  It waits until these speeds are known. */
-key_action act_type_speed, act_go_to_run_speed, act_go_to_goal_speed;
+ * act_move_slider_to_run_speed goes to the slowest run (amount -1), a middle
+ * one (0) or the fastest (1).  act_move_slider_to_goal_speed goes to the next
+ * limit of the goal or, without a goal, to the next run; for an amount of 0, to
+ * the best speed of the goal.  It waits until these speeds are known. */
+key_action act_type_speed, act_move_slider_to_run_speed,
+    act_move_slider_to_goal_speed;
 
-key_action act_open_page, act_go_back, act_open_row, act_type_filter;
+key_action act_open_page, act_go_back, act_open_row, act_open_filter_field;
 
 /* Run the key's command, or `describe`; open the command line empty, with
  * `save`, or with a command that exports. */
-key_action act_run_hint_command, act_describe_plot, act_type_command,
-    act_propose_save, act_export_prediction;
+key_action act_run_hint_command, act_describe_plot, act_open_command_line,
+    act_propose_save, act_propose_export;
 
 /* Control the calibration. */
-key_action act_calibrate, act_toggle_pause, act_stop_fit,
-    act_change_search_pace;
+key_action act_calibrate, act_toggle_calibration_pause, act_stop_fit,
+    act_change_calibration_pace;
 
-/* Change what is predicted and shown.  act_type_goal opens a field that holds
- * the goal or, without one, the quantity above the track.  act_toggle_goal_view
- * shows the goal at full height, or no longer. */
-key_action act_next_correcting_runs, act_toggle_band, act_toggle_pin,
+/* Change what is predicted and shown.  act_open_goal_field opens a field that
+ * holds the goal or, without one, the quantity above the track.
+ * act_toggle_goal_view shows the goal at full height, or no longer. */
+key_action act_next_correction_setting, act_toggle_band, act_toggle_pin,
     act_toggle_crosshair, act_move_crosshair_passing, act_next_quantity,
-    act_type_goal, act_toggle_goal_view;
+    act_open_goal_field, act_toggle_goal_view;
 
 /* Act on one page each. */
-key_action act_show_all_runs, act_show_all_numbers, act_next_plot,
-    act_next_generation, act_type_bounds, act_mend_cell, act_next_doubtful_cell,
-    act_sort_sites;
+key_action act_toggle_all_runs_view, act_show_numbers_or_calibrate,
+    act_next_plot, act_next_generation, act_open_bounds_command,
+    act_correct_cell, act_next_doubtful_cell, act_sort_sites;
 
-key_action act_open_files, act_show_last_text, act_list_keys, act_toggle_mouse,
-    act_redraw_screen, act_suspend_program, act_leave_screen;
+key_action act_open_file_picker, act_show_last_text, act_list_keys,
+    act_toggle_mouse, act_redraw_screen, act_suspend_program, act_leave_screen;
 
 #endif

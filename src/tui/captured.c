@@ -30,7 +30,7 @@ captured_show_error(
 	if (e->line > 0 && strcmp(e->file, ERROR_TYPED) != 0)
 		snprintf(place, sizeof place, "%s:%d:%d: ", e->file, e->line,
 		    e->column);
-	tui_say(t, true, "%s%s%s%s", place, e->text,
+	tui_set_message(t, true, "%s%s%s%s", place, e->text,
 	    e->hint[0] != '\0' ? ": " : "", e->hint);
 }
 
@@ -47,6 +47,6 @@ captured_show_output(struct tui *t)
 		return;
 	}
 	if (n > 0)
-		tui_say(t, false, "%s", text);
+		tui_set_message(t, false, "%s", text);
 	free(text);
 }

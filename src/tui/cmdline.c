@@ -50,7 +50,7 @@ wait_for_return_key(void)
 	    stdout);
 	fflush(stdout);
 	/* ^C has ended the shell command. */
-	signals_forget_interrupt();
+	signals_clear_interrupt();
 	ask_wait_for_line(NULL);
 	/* So that the shell's prompt has a line of its own after the screen. */
 	fputs("\n", stdout);
@@ -59,7 +59,7 @@ wait_for_return_key(void)
 /* Returns the value of feed= in a line, as typed, or NULL.  The caller frees
  * it. */
 static char *
-feed_named_in_line(const char *line)
+feed_option_value_in_line(const char *line)
 {
 	const char *feed = strstr(line, " feed=");
 	if (feed == NULL)
@@ -72,7 +72,7 @@ feed_named_in_line(const char *line)
 /* Returns true if page Predict shows all that a line asks for: the product of
  * the site at a speed, on the feed and the machine of the page. */
 static bool
-is_shown_by_page_predict(const char *line)
+is_command_answered_by_page_predict(const char *line)
 {
 	static const char *const MORE[] = {
 	    " rotor_mm=", " cascade=", " k=", " sieves=", " cut="};
@@ -81,7 +81,7 @@ is_shown_by_page_predict(const char *line)
 	for (size_t i = 0; i < ARRAY_LEN(MORE); i++)
 		if (strstr(line, MORE[i]) != NULL)
 			return false;
-	FREED char *feed = feed_named_in_line(line);
+	FREED char *feed = feed_option_value_in_line(line);
 	double speed;
 	return feed == NULL || value_parse_number(feed, "m/s", &speed);
 }
@@ -91,7 +91,7 @@ is_shown_by_page_predict(const char *line)
 enum job_effect { JOB_GOES_ON, JOB_TAKES_BOUNDS, JOB_STOPS };
 
 static enum job_effect
-effect_of_line_on_job(
+effect_of_command_on_job(
     const struct tui *t, const char *line, const struct command *command)
 {
 	if (!session_is_calibrating(t->session))
@@ -108,10 +108,10 @@ effect_of_line_on_job(
 /* Returns true for a question about the site that is being calibrated, which
  * has no final parameters yet. */
 static bool
-is_question_during_fit(const struct tui *t, const struct command *command)
+is_command_blocked_by_fit(const struct tui *t, const struct command *command)
 {
 	const struct entry *fitting = session_entry_being_fitted(t->session);
-	return fitting != NULL && fitting == tui_current_entry(t) &&
+	return fitting != NULL && fitting == tui_current_site_entry(t) &&
 	       command != NULL && command->answer != NULL &&
 	       (command->flags & COMMAND_NEEDS_PARAMS) &&
 	       !(command->flags & COMMAND_CHANGES);
@@ -120,12 +120,12 @@ is_question_during_fit(const struct tui *t, const struct command *command)
 /* Continues a search within its bounds, which the line may have edited.  A
  * search that had been stopped says so. */
 static void
-resume_search_within_bounds(struct tui *t, bool edited)
+resume_fit_within_bounds(struct tui *t, bool edited)
 {
 	bool on = t->session->job.paused;
-	if (control_run_command(t, on ? "continue" : "calibrate") && on &&
-	    edited)
-		tui_say(t, false, "continues within the new bounds");
+	if (control_run_command_captured(t, on ? "continue" : "calibrate") &&
+	    on && edited)
+		tui_set_message(t, false, "continues within the new bounds");
 }
 
 /* Adds to the message of a line.  If the line opened a text, only an empty
@@ -135,18 +135,18 @@ append_to_message(struct tui *t, const char *more)
 {
 	FREED char *said = xstrdup(t->message);
 	if (t->viewer.text == NULL || said[0] == '\0')
-		tui_say(t, t->bad, "%s%s%s", said, said[0] != '\0' ? "; " : "",
-		    more);
+		tui_set_message(t, t->bad, "%s%s%s", said,
+		    said[0] != '\0' ? "; " : "", more);
 }
 
 /* After an answer for another feed, says that the pages keep theirs. */
 static void
-say_that_pages_keep_feed(struct tui *t, const char *line)
+report_that_pages_keep_feed(struct tui *t, const char *line)
 {
-	FREED char *feed = feed_named_in_line(line);
+	FREED char *feed = feed_option_value_in_line(line);
 	if (feed != NULL && strchr(line, '>') == NULL &&
 	    strcmp(feed, t->session->set.feed) != 0)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "the pages keep their feed: :set feed %s makes them use "
 		    "this one",
 		    feed);
@@ -155,10 +155,10 @@ say_that_pages_keep_feed(struct tui *t, const char *line)
 /* Shows the output of a line that was run.  A search that it began is shown by
  * the page instead. */
 static void
-show_result_message(struct tui *t, const struct command *command,
+show_output_of_line(struct tui *t, const struct command *command,
     const char *line, bool ok, bool began)
 {
-	bool moved_only = is_shown_by_page_predict(line);
+	bool moved_only = is_command_answered_by_page_predict(line);
 	fflush(t->captured);
 	/* Besides the error, the output may list the faults of a check or a
 	 * sheet. */
@@ -167,7 +167,7 @@ show_result_message(struct tui *t, const struct command *command,
 	if (!began && (ok ? !moved_only : t->captured_n > 0))
 		captured_show_output(t);
 	if (ok && !moved_only && command == command_find("predict"))
-		say_that_pages_keep_feed(t, line);
+		report_that_pages_keep_feed(t, line);
 }
 
 static void
@@ -180,7 +180,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	const bool was_busy = session_is_calibrating(s);
 	const char *stopped = "";
 	bool searching = was_busy && !t->held;
-	enum job_effect effect = effect_of_line_on_job(t, line, command);
+	enum job_effect effect = effect_of_command_on_job(t, line, command);
 	if (command == command_find("screen")) {
 		run_screen_command(t, line);
 		return;
@@ -194,7 +194,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
 		t->callbacks->leave(t);
-	bool ok = control_run_command(t, line);
+	bool ok = control_run_command_captured(t, line);
 	if (aside) {
 		wait_for_return_key();
 		t->callbacks->come_back(t);
@@ -202,13 +202,13 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	bool edited = memcmp(&before, &s->set.bounds, sizeof before) != 0;
 	if (searching && (effect == JOB_TAKES_BOUNDS || edited) &&
 	    !session_is_calibrating(s)) {
-		resume_search_within_bounds(t, edited);
+		resume_fit_within_bounds(t, edited);
 		return;
 	}
 	if (ok && edited)
-		tui_say(t, false, "f calibrates within these bounds");
+		tui_set_message(t, false, "f calibrates within these bounds");
 	bool beside = was_busy && effect == JOB_GOES_ON;
-	show_result_message(
+	show_output_of_line(
 	    t, command, line, ok, session_is_calibrating(s) && !beside);
 	/* The user may have wanted to undo a move of the slider. */
 	if (ok && command == command_find("undo"))
@@ -250,7 +250,7 @@ has_speed_operand(const struct command *asked, const char *rest)
 
 /* Returns a typed line.  If its command `asked` (or NULL) asks about one speed
  * and the line names none, adds the slider's speed and feed
- * (tui_options_at_slider).  The caller frees it. */
+ * (tui_speed_and_feed_options).  The caller frees it. */
 static char *
 line_with_slider_speed(
     const char *line, const struct command *asked, const char *where)
@@ -278,13 +278,13 @@ line_with_slider_speed(
 void
 cmdline_run_line(struct tui *t, const char *line)
 {
-	FREED char *where = tui_options_at_slider(t);
+	FREED char *where = tui_speed_and_feed_options(t);
 	const struct command *command = control_command_of_line(line);
 	FREED char *meant = line_with_slider_speed(line, command, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_history_add(line);
-	if (is_question_during_fit(t, command))
-		tui_say(t, false,
+	if (is_command_blocked_by_fit(t, command))
+		tui_set_message(t, false,
 		    "%s answers when the calibration ends; s stops it and "
 		    "keeps the best",
 		    command->name);

@@ -43,7 +43,7 @@ static struct tui *open;
 /* Returns the line being run, "4 of 15: validate", with the state of its
  * search.  The caller frees it. */
 static char *
-running_line_text(const struct tui *t)
+running_line_progress_text(const struct tui *t)
 {
 	const struct session *s = t->session;
 	char *words = xasprintf("%s  %s", tr("WORKING"), t->running_line);
@@ -66,12 +66,12 @@ draw_progress_if_due(struct tui *t, bool begins)
 {
 	/* s; a line that ends earlier is not shown */
 	const double often = 0.1, patience = t->of_script ? often : 0.3;
-	double now = session_clock();
+	double now = session_clock_seconds();
 	if (t->running_line == NULL || t->callbacks->stopped == NULL ||
 	    now - t->ran_from < patience ||
 	    (!begins && now - t->drawn_at < often) || t->away)
 		return;
-	viewer_show_text(t, running_line_text(t));
+	viewer_show_text(t, running_line_progress_text(t));
 	t->callbacks->show(t);
 	viewer_close(t);
 	t->drawn_at = now;
@@ -84,12 +84,12 @@ draw_progress_if_due(struct tui *t, bool begins)
 
 /* For struct driver: records and shows a line of a script before it is run. */
 static void
-start_script_line(void *of, const char *line)
+record_and_show_script_line(void *of, const char *line)
 {
 	struct tui *t = of;
-	struct script_place at = script_position(t->session);
+	struct script_place at = script_command_position(t->session);
 	if (!t->of_script)
-		t->ran_from = session_clock();
+		t->ran_from = session_clock_seconds();
 	t->of_script = true;
 	free(t->running_line);
 	t->running_line =
@@ -100,24 +100,25 @@ start_script_line(void *of, const char *line)
 
 /* Clears what was drawn and says how the line or script has ended. */
 static void
-end_running_line(struct tui *t, bool restores, bool ok)
+report_how_command_ended(struct tui *t, bool restores, bool ok)
 {
 	bool drawn = t->of_script || t->drawn_at >= t->ran_from;
 	if (drawn)
 		viewer_close(t);
 	/* A signal from elsewhere ends the program, unless a script runs. */
-	if ((t->of_script || t->stopping) && signals_pending() == SIGINT) {
-		signals_forget_interrupt();
+	if ((t->of_script || t->stopping) && signals_get_recorded() == SIGINT) {
+		signals_clear_interrupt();
 		captured_discard_output(t);
 		if (t->of_script)
-			tui_say(t, false,
+			tui_set_message(t, false,
 			    "stopped at %s: earlier changes stay; u undoes "
 			    "them",
 			    t->running_line);
 		else
-			tui_say(t, false, "stopped: %s", t->running_line);
+			tui_set_message(
+			    t, false, "stopped: %s", t->running_line);
 	} else if (ok && t->of_script) {
-		const struct entry *entry = tui_current_entry(t);
+		const struct entry *entry = tui_current_site_entry(t);
 		const size_t n = t->session->n_entry;
 		if (restores)
 			captured_discard_output(t);
@@ -128,7 +129,7 @@ end_running_line(struct tui *t, bool restores, bool ok)
 			      tr_n("%zu site is loaded, %s is in use",
 				  "%zu sites are loaded, %s is in use", n),
 			      n, entry->key);
-		tui_say(t, false, "%s: %s",
+		tui_set_message(t, false, "%s: %s",
 		    restores ? tr("restored") : tr("the script has run"),
 		    words);
 	}
@@ -142,12 +143,12 @@ end_running_line(struct tui *t, bool restores, bool ok)
 static bool
 run_job_to_end(struct session *s)
 {
-	while (session_is_calibrating(s) && signals_pending() == 0) {
+	while (session_is_calibrating(s) && signals_get_recorded() == 0) {
 		session_step_job(s);
 		draw_progress_if_due(open, false);
 		signals_deliver_blocked();
 	}
-	return signals_pending() == 0;
+	return signals_get_recorded() == 0;
 }
 
 /* For hooks.stop: long commands call this, which then looks for Esc.  The
@@ -167,7 +168,7 @@ control_command_of_line(const char *line)
 	const struct place place = {.file = ERROR_TYPED, .prompt = true};
 	struct words words;
 	struct error error = {0};
-	words_split(line, 0, place, &words, &error);
+	words_split_line(line, 0, place, &words, &error);
 	const struct command *command =
 	    strchr(line, ';') == NULL ? words.command : NULL;
 	words_free(&words);
@@ -175,12 +176,12 @@ control_command_of_line(const char *line)
 }
 
 void
-control_update_state(struct tui *t)
+control_discard_outdated_state(struct tui *t)
 {
 	const struct session *s = t->session;
 	t->session->wants_tui = false;
-	view_mark_changed(t);
-	tui_clear_hits(t);
+	view_discard_outdated(t);
+	tui_clear_click_areas(t);
 	if (t->ui.list[PAGE_SITES].at >= s->n_entry)
 		t->ui.list[PAGE_SITES].at = s->current;
 	if (t->ui.crosshair_sieve >= t->view.shown.product.n)
@@ -196,9 +197,9 @@ apply_page_settings(struct tui *t)
 	struct error error = {0};
 	if (!quantities_parse_one(
 		set->quantity, &PARTITION_IDEAL, &t->ui.quantity, &error))
-		t->ui.quantity = strip_default_quantity();
+		t->ui.quantity = response_strip_default_quantity();
 	t->ui.page = (enum page)set->page;
-	tui_clear_hits(t);
+	tui_clear_click_areas(t);
 }
 
 void
@@ -208,7 +209,7 @@ control_store_page_settings(struct tui *t)
 	struct error error = {0};
 	size_t next;
 	static const char *const PAGE[] = {SCREEN_PAGES(PAGE_NAME)};
-	FREED char *quantity = quantities_typed_text(&t->ui.quantity);
+	FREED char *quantity = quantities_text_to_type(&t->ui.quantity);
 	FREED char *line = xasprintf(
 	    "set page %s quantity \"%s\"", PAGE[t->ui.page], quantity);
 	captured_discard_output(t);
@@ -218,7 +219,7 @@ control_store_page_settings(struct tui *t)
 
 /* Shows the job that a line has started. */
 static void
-show_job_begun(struct tui *t, const char *line)
+reset_view_for_new_job(struct tui *t, const char *line)
 {
 	const struct command *command = control_command_of_line(line);
 	const struct job *job = &t->session->job;
@@ -230,19 +231,20 @@ show_job_begun(struct tui *t, const char *line)
 		t->ran = 0;
 	if (job->fits && !job->type->alone) {
 		t->ui.page = PAGE_SITES;
-		tui_clear_hits(t);
+		tui_clear_click_areas(t);
 	}
 }
 
 void
-control_say_speed_off_slider(struct tui *t, double speed)
+control_report_speed_off_slider(struct tui *t, double speed)
 {
 	struct slider_range range = tui_slider_range(t);
 	const bool in_rpm = range.rotor > 0;
 	const double per_unit = in_rpm ? 1 : 10;
-	double typed = answers_speed_number(tui_site(t), speed);
-	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), speed, NAN);
-	tui_say(t, true,
+	double typed = answers_speed_in_sheet_unit(tui_current_site(t), speed);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(tui_rotor_diameter(t), speed, NAN);
+	tui_set_message(t, true,
 	    in_rpm ? N_("%.1f m/s%s is off the slider: type :set slider "
 			"%.0f..%.0frpm")
 		   : N_("%.1f m/s%s is off the slider: type :set slider "
@@ -256,47 +258,48 @@ move_slider_to_answer_speed(struct tui *t, const char *line, bool ok)
 {
 	struct slider_range range = tui_slider_range(t);
 	double said =
-	    session_answer_number(t->session, "predict find", "speed");
+	    session_number_in_last_answer(t->session, "predict find", "speed");
 	const struct command *ran = control_command_of_line(line);
 	bool asks =
 	    ran == command_find("predict") || ran == command_find("find");
 	if (slider_has_speed(range, said))
-		tui_move_slider_to(t, said);
+		tui_set_slider_speed(t, said);
 	else if (isfinite(said) && ok && asks)
-		control_say_speed_off_slider(t, said);
-	if (tui_current_entry(t) != NULL &&
+		control_report_speed_off_slider(t, said);
+	if (tui_current_site_entry(t) != NULL &&
 	    !slider_has_speed(range, t->ui.speed))
-		tui_move_slider_to(
-		    t, answers_default_speed(tui_current_entry(t)));
+		tui_set_slider_speed(
+		    t, answers_default_speed(tui_current_site_entry(t)));
 }
 
 static bool
-control_run_line(struct tui *t, const char *line)
+run_line_capturing_output(struct tui *t, const char *line)
 {
 	struct session *s = t->session;
 	const struct settings was = s->set;
 	bool was_busy = session_is_calibrating(s);
 	char site[sizeof t->view.current.site] = "";
-	if (tui_current_entry(t) != NULL)
-		snprintf(site, sizeof site, "%s", tui_current_entry(t)->key);
+	if (tui_current_site_entry(t) != NULL)
+		snprintf(
+		    site, sizeof site, "%s", tui_current_site_entry(t)->key);
 	captured_discard_output(t);
 	const struct driver d = {.session = s,
 	    .of = t,
 	    .fail = captured_show_error,
-	    .begins = start_script_line,
+	    .begins = record_and_show_script_line,
 	    .work = run_job_to_end,
 	    .watches = true};
-	t->ran_from = session_clock();
+	t->ran_from = session_clock_seconds();
 	t->running_line = xstrdup(line);
 	t->of_script = t->stopping = false;
 	/* A signal is not an error: results found before it are kept. */
-	bool ok = driver_run_line(&d, line, ERROR_TYPED, 0) == 0 ||
-		  signals_pending() != 0;
-	end_running_line(
+	bool ok = driver_run_line_to_end(&d, line, ERROR_TYPED, 0) == 0 ||
+		  signals_get_recorded() != 0;
+	report_how_command_ended(
 	    t, control_command_of_line(line) == command_find("restore"), ok);
 	move_slider_to_answer_speed(t, line, ok);
-	bool other = tui_current_entry(t) != NULL &&
-		     strcmp(site, tui_current_entry(t)->key);
+	bool other = tui_current_site_entry(t) != NULL &&
+		     strcmp(site, tui_current_site_entry(t)->key);
 	if (other) {
 		t->ui.list[PAGE_SITES].at = s->current;
 		t->ui.feed = 0;
@@ -308,19 +311,19 @@ control_run_line(struct tui *t, const char *line)
 	tui_set_feed_from_answer(t);
 	if (strcmp(s->set.feed, was.feed) != 0)
 		tui_set_feed_from_setting(t);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	if (session_is_calibrating(s) && !was_busy)
-		show_job_begun(t, line);
+		reset_view_for_new_job(t, line);
 	return ok;
 }
 
 bool
-control_run_command(struct tui *t, const char *line)
+control_run_command_captured(struct tui *t, const char *line)
 {
 	free(t->command);
 	t->command = xstrdup(line);
 	t->message[0] = '\0';
-	bool ok = control_run_line(t, line);
+	bool ok = run_line_capturing_output(t, line);
 	t->failed = !ok;
 	if (!ok)
 		viewer_show_long_message(t);
@@ -339,7 +342,7 @@ free_tui_state(struct tui *t)
 	if (t->captured != NULL)
 		fclose(t->captured);
 	free(t->captured_text);
-	edit_end(&t->line);
+	edit_stop_editing(&t->line);
 	viewer_close(t);
 	free(t->closed);
 	free(t->command);
@@ -350,7 +353,7 @@ free_tui_state(struct tui *t)
 }
 
 static bool
-control_confirm(struct session *s, const char *question, bool yes)
+control_ask_to_confirm(struct session *s, const char *question, bool yes)
 {
 	int code = 0;
 	bool special = false;
@@ -372,7 +375,7 @@ control_ask_question(struct session *s, const struct user_question *q)
 /* For hooks.announce: draws page Fit before the draws at the end of a search
  * are computed. */
 static void
-show_fit_page_before_draws(const char *what)
+show_fit_page_before_sampling(const char *what)
 {
 	if (open->callbacks->show == NULL || open->ui.page != PAGE_FIT ||
 	    !session_is_calibrating(open->session) || open->computing != NULL)
@@ -385,10 +388,10 @@ show_fit_page_before_draws(const char *what)
 /* Returns the speed last asked about or, if that is off the slider, the usual
  * speed of the site. */
 static double
-first_slider_speed(const struct tui *t)
+initial_slider_speed(const struct tui *t)
 {
 	const double usual = 74;
-	const struct entry *e = tui_current_entry(t);
+	const struct entry *e = tui_current_site_entry(t);
 	if (slider_has_speed(tui_slider_range(t), t->session->last_asked.speed))
 		return t->session->last_asked.speed;
 	return e != NULL ? answers_default_speed(e) : usual;
@@ -409,20 +412,20 @@ control_open_screen(
 	    .view.holdout = NAN,
 	    .before = {s->out, s->notes, s->hooks, s->prompt, s->typed_depth,
 		s->screen}};
-	tui_move_slider_to(t, first_slider_speed(t));
-	s->hooks.confirm = control_confirm;
+	tui_set_slider_speed(t, initial_slider_speed(t));
+	s->hooks.confirm = control_ask_to_confirm;
 	s->hooks.ask = control_ask_question;
 	s->prompt = true;
 	s->typed_depth = s->scripts;
 	s->hooks.show_manual_page = NULL;
-	s->hooks.announce = show_fit_page_before_draws;
+	s->hooks.announce = show_fit_page_before_sampling;
 	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
 	tui_set_feed_from_answer(t);
 	t->captured = text_open_memory(&t->captured_text, &t->captured_n);
 	s->out = s->notes = t->captured;
 	apply_page_settings(t);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	open = t;
 }
 

@@ -18,11 +18,11 @@ struct tui *control_current_screen(void);
 
 /* Runs a line composed by a key, and shows it as the last command.  If it
  * fails, shows the error and returns false. */
-bool control_run_command(struct tui *t, const char *line);
+bool control_run_command_captured(struct tui *t, const char *line);
 
 /* Brings the state of the screen up to date after a command that was run
  * elsewhere. */
-void control_update_state(struct tui *t);
+void control_discard_outdated_state(struct tui *t);
 
 /* ---- For cmdline.c ---- */
 
@@ -35,6 +35,6 @@ void control_store_page_settings(struct tui *t);
 
 /* Says that a speed, m/s, is outside the slider's range, and how to extend the
  * range. */
-void control_say_speed_off_slider(struct tui *t, double speed);
+void control_report_speed_off_slider(struct tui *t, double speed);
 
 #endif

@@ -115,10 +115,10 @@ site_file_summary(const char *path)
 		return NULL;
 	bool in_rpm = answers_is_sheet_in_rpm(site);
 	FREED char *speeds =
-	    in_rpm ? session_run_rpm_text(site, " ", NULL, false)
-		   : session_run_speeds_text(site, " ", NULL, false);
+	    in_rpm ? session_rpm_of_runs_text(site, " ", NULL, false)
+		   : session_speeds_of_runs_text(site, " ", NULL, false);
 	char *about = xasprintf("%-16s %5.4g mm  %s %s", site->rock,
-	    units_mm(site->top_size), speeds, answers_speed_unit(site));
+	    units_m_to_mm(site->top_size), speeds, answers_speed_unit(site));
 	site_free(site);
 	return about;
 }
@@ -133,7 +133,7 @@ folder_item_free(struct folder_item *item)
 }
 
 void
-folder_keep_kinds(struct folder *folder, unsigned kinds)
+folder_filter_by_kind(struct folder *folder, unsigned kinds)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
@@ -152,7 +152,7 @@ static void
 add_synthetic_sites(struct folder *folder)
 {
 	struct material_list paper = {0};
-	material_add_table3(&paper);
+	material_add_table3_to_list(&paper);
 	for (size_t i = 0; i < paper.n; i++) {
 		const struct material *row = &paper.item[i];
 		FREED char *slug = text_slug(row->site);
@@ -176,7 +176,7 @@ add_synthetic_sites(struct folder *folder)
 }
 
 void
-folder_list_shipped(struct folder *folder)
+folder_list_shipped_sites(struct folder *folder)
 {
 	char *path = shipped_sites_folder();
 	folder_list(folder, path);
@@ -188,7 +188,7 @@ folder_list_shipped(struct folder *folder)
 		if (item->about == NULL)
 			item->kind = FOLDER_OTHER;
 	}
-	folder_keep_kinds(folder, 1U << FOLDER_SHEET);
+	folder_filter_by_kind(folder, 1U << FOLDER_SHEET);
 	if (folder->n == 0)
 		add_synthetic_sites(folder);
 }
@@ -247,8 +247,9 @@ print_site_summary(const struct site *site, FILE *out)
 {
 	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, false);
-	FREED char *rpm = session_run_rpm_in_brackets(site, NULL, false);
+	FREED char *speeds =
+	    session_speeds_of_runs_text(site, ", ", NULL, false);
+	FREED char *rpm = session_rpm_of_runs_in_brackets(site, NULL, false);
 	FREED double *sieve = site_all_sieves(site, &n);
 	fprintf(out, "%s\n", label);
 	if (products > 0)
@@ -260,19 +261,19 @@ print_site_summary(const struct site *site, FILE *out)
 		fprintf(out, tr("a feed, no product\n"));
 	if (n > 0)
 		fprintf(out, tr("%zu sieves, %g to %g mm\n"), n,
-		    units_mm(sieve[n - 1]), units_mm(sieve[0]));
+		    units_m_to_mm(sieve[n - 1]), units_m_to_mm(sieve[0]));
 	print_unless_empty(out, tr("read: "), site->read_as);
 	print_unless_empty(out, tr("likely, not stated: "), site->assumed);
 	print_unless_empty(out, "", site->remark);
 	for (size_t i = 0; i < site->n_left_out; i++)
 		fprintf(out, tr("not read: %s, %s\n"), site->left_out[i].key,
 		    site->left_out[i].value);
-	FREED char *data = site_provenance_in_words(site->provenance);
+	FREED char *data = site_translate_provenance(site->provenance);
 	print_unless_empty(out, tr("data: "), data);
 }
 
 char *
-folder_describe_site(const struct site *site)
+folder_site_summary_text(const struct site *site)
 {
 	char *text = NULL;
 	size_t n = 0;
@@ -312,7 +313,7 @@ print_sheet_preview(const char *path, FILE *out)
 	    .n = 1, .path = &path, .speed = &any};
 	struct error_list errors = {0};
 	struct site_ask ask = {0};
-	struct site *site = site_read_request(&request, &errors, &ask);
+	struct site *site = site_read_with_options(&request, &errors, &ask);
 	if (site != NULL)
 		print_site_summary(site, out);
 	else
@@ -335,14 +336,14 @@ unpacked_size_of_file(const char *path, double bytes)
 	struct archive *archive =
 	    content != NULL ? archive_open(content, n, &wrong) : NULL;
 	if (archive != NULL)
-		bytes = archive_unpacked_bytes(archive) / UNPACKED_TIMES;
+		bytes = archive_unpacked_size(archive) / UNPACKED_TIMES;
 	archive_close(archive);
 	free(wrong);
 	return bytes;
 }
 
 char *
-folder_preview(const struct folder_item *item)
+folder_item_preview_text(const struct folder_item *item)
 {
 	char *text = NULL;
 	size_t n = 0;

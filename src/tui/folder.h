@@ -45,10 +45,10 @@ void folder_list(struct folder *folder, const char *path);
 
 /* Lists the shipped sites: those in the source tree if the program runs in one,
  * otherwise those installed. */
-void folder_list_shipped(struct folder *folder);
+void folder_list_shipped_sites(struct folder *folder);
 
 /* Keeps only the items of these kinds, bits of 1 << kind. */
-void folder_keep_kinds(struct folder *folder, unsigned kinds);
+void folder_filter_by_kind(struct folder *folder, unsigned kinds);
 
 void folder_free(struct folder *folder);
 
@@ -62,10 +62,10 @@ char *folder_command_to_open(const struct folder_item *item, bool anew);
 
 /* Returns a description of a site as it was read, in lines.  The caller frees
  * it. */
-char *folder_describe_site(const struct site *site);
+char *folder_site_summary_text(const struct site *site);
 
 /* Returns what load would print about a file, in lines, or what it would ask.
  * Does not read a file if that could take long.  The caller frees the text. */
-char *folder_preview(const struct folder_item *item);
+char *folder_item_preview_text(const struct folder_item *item);
 
 #endif

@@ -42,17 +42,18 @@ page_tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 static char *
 short_site_label(const struct tui *t, int columns)
 {
-	const char *name = tui_site(t)->name, *other = tui_other_feed(t);
+	const char *name = tui_current_site(t)->name,
+		   *other = tui_other_feed(t);
 	FREED char *with = xasprintf(tr("%s, with %s"), name, other);
 	bool fits = text_width_in_columns(with) < columns;
 	return xstrdup(other[0] != '\0' && fits ? with : name);
 }
 
 static void
-draw_header(struct tui *t)
+draw_screen_header(struct tui *t)
 {
 	const struct area *area = &t->layout.header;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	char text[24];
 	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
 	for (size_t p = 0; p < PAGES; p++)
@@ -62,7 +63,7 @@ draw_header(struct tui *t)
 	left.columns = column < 1 ? 0 : column - 1;
 	FREED char *label =
 	    entry != NULL
-		? session_site_label(tui_entry_for_prediction(t)->site)
+		? session_site_label(tui_site_entry_for_prediction(t)->site)
 	    : left.columns < 18 ? xstrdup(tr("no site"))
 				: xstrdup(tr("no site is loaded"));
 	bool room = text_width_in_columns(label) + 11 <= left.columns;
@@ -70,23 +71,24 @@ draw_header(struct tui *t)
 		free(label);
 		label = short_site_label(t, left.columns);
 	}
-	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s",
+	screen_draw_text(&left, 0, 0, LOOK_BOLD, "%s%s",
 	    room ? tr("tipspeed  ") : "", label);
 	column = column < 0 ? 0 : column;
 	for (size_t p = 0; p < PAGES; p++) {
 		int from = column;
-		column = screen_text(area, 0, column,
+		column = screen_draw_text(area, 0, column,
 		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
 		    page_tab_text(t, p, area->columns, text));
-		hits_add_key(&t->hits,
-		    area_part_of_row(area, 0, from, column - from),
+		hits_add_key_area(&t->hits,
+		    area_of_columns_in_row(area, 0, from, column - from),
 		    keys_code_of_page((enum page)p));
 		column++;
 	}
 	if (help == 0)
 		return;
-	screen_text(area, 0, column, LOOK_DIM, " ? help");
-	hits_add_key(&t->hits, area_part_of_row(area, 0, column, help), '?');
+	screen_draw_text(area, 0, column, LOOK_DIM, " ? help");
+	hits_add_key_area(
+	    &t->hits, area_of_columns_in_row(area, 0, column, help), '?');
 }
 
 /* Moves the cursor to where the line is clicked. item: offset of the first byte
@@ -110,17 +112,18 @@ draw_command_line(struct tui *t, const struct area *area)
 		size_t from;
 		int at = pane_draw_typed_line(
 		    area, t->goal_field ? tr("goal: ") : ":", &t->line, &from);
-		hits_add(&t->hits, HIT_PRESS, *area, on_click_typed_line, from);
+		hits_add_mouse_handler(
+		    &t->hits, HIT_PRESS, *area, on_click_typed_line, from);
 		return at;
 	}
-	hits_add_key(&t->hits, *area, ':');
+	hits_add_key_area(&t->hits, *area, ':');
 	const char *tail =
 	    t->failed ? tr("(failed)") : tr("(last action, as a command)");
-	int column = screen_text(
+	int column = screen_draw_text(
 	    area, 0, 0, 0, ": %s", t->command != NULL ? t->command : "");
 	if (t->command != NULL &&
 	    column + 4 + (int)strlen(tail) < area->columns)
-		screen_text(area, 0, area->columns - (int)strlen(tail) - 1,
+		screen_draw_text(area, 0, area->columns - (int)strlen(tail) - 1,
 		    LOOK_DIM, "%s", tail);
 	return 0;
 }
@@ -138,7 +141,7 @@ frame_draw_message(const struct tui *t, const struct area *row)
 	     above = row == &t->layout.status && !t->line.active,
 	     hints = wide && !above && t->layout.hints.rows > 0;
 	if (wide)
-		area.rows = layout_message_rows(&t->layout);
+		area.rows = layout_count_message_rows(&t->layout);
 	if (area.rows == 2 && !hints)
 		area.row--;
 	screen_clear_area(&area);
@@ -153,12 +156,12 @@ draw_job_state(const struct tui *t, const struct area *area)
 	const struct session *s = t->session;
 	if (!s->job.fits) {
 		FREED char *at = s->job.type->task_words(s);
-		return screen_text(area, 0, 0, LOOK_BOLD,
+		return screen_draw_text(area, 0, 0, LOOK_BOLD,
 		    area->columns < 60 ? "%s  %s" : N_("%s  %s: Esc stops"),
 		    t->held ? tr("PAUSED") : tr("WORKING"), at);
 	}
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	return screen_text(area, 0, 0, LOOK_BOLD,
+	return screen_draw_text(area, 0, 0, LOOK_BOLD,
 	    area->columns < 34 ? "%s %zu/%zu"
 	    : st.state == CALIBRATE_POLISHING
 		? N_("%s  generation %zu of %zu, polishing")
@@ -173,7 +176,7 @@ draw_what_to_do_next(const struct area *area, const char *words)
 {
 	const char *ready = tr("READY  "), *act = strstr(words, ": ");
 	int room = area->columns - text_width_in_columns(words);
-	return screen_text(area, 0, 0, 0, "%s%s",
+	return screen_draw_text(area, 0, 0, 0, "%s%s",
 	    room >= text_width_in_columns(ready) ? ready : "",
 	    room < 0 && act != NULL ? act + 2 : words);
 }
@@ -181,10 +184,10 @@ draw_what_to_do_next(const struct area *area, const char *words)
 /* Returns how good the parameters of the site are, or what to do first.  The
  * caller frees it. */
 static char *
-site_status_text(struct tui *t, int columns)
+site_calibration_status_text(struct tui *t, int columns)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	if (entry == NULL)
 		return xstrdup(tr("no site: o opens a sheet"));
 	if (!entry->has_params)
@@ -200,17 +203,19 @@ site_status_text(struct tui *t, int columns)
 		   ? xasprintf("%s%s",
 			 fit_has_too_few_data(&entry->fit) ? "" : tr("fit "),
 			 verdict_on_fit(s, entry, NULL))
-		   : xasprintf(tr("parameters %s"), origin_source_text(entry));
+		   : xasprintf(
+			 tr("parameters %s"), origin_of_params_text(entry));
 }
 
-/* Draws site_status_text or, during a search, the state of the search, because
- * the text would have to be computed anew for each frame. */
+/* Draws site_calibration_status_text or, during a search, the state of the
+ * search, because the text would have to be computed anew for each frame. */
 static void
 draw_status_row(struct tui *t, const struct area *area)
 {
-	FREED char *words = session_is_calibrating(t->session)
-				? NULL
-				: site_status_text(t, area->columns);
+	FREED char *words =
+	    session_is_calibrating(t->session)
+		? NULL
+		: site_calibration_status_text(t, area->columns);
 	int column = words == NULL ? draw_job_state(t, area)
 				   : draw_what_to_do_next(area, words);
 	char right[64];
@@ -221,13 +226,13 @@ draw_status_row(struct tui *t, const struct area *area)
 	    screen_colour_count());
 	int from = area->columns - (int)strlen(right) - 1;
 	if (from > column + 2)
-		screen_text(area, 0, from, LOOK_DIM, "%s", right);
+		screen_draw_text(area, 0, from, LOOK_DIM, "%s", right);
 }
 
 static void
 on_click_completion(struct tui *t, const struct mouse_event *touched)
 {
-	edit_use_completion(&t->line, touched->item);
+	edit_insert_completion(&t->line, touched->item);
 }
 
 /* Draws the completions of a word, and ".." if there are more, which Tab
@@ -239,8 +244,9 @@ draw_completions(struct tui *t, const struct area *area)
 	enum { MORE = 3 };
 	int column = 0;
 	size_t i = y->from, n;
-	const char *offer = edit_completion_at(y, i, &n);
-	for (; offer != NULL; offer = edit_completion_at(y, ++i, &n)) {
+	const char *offer = edit_get_nth_offered_completion(y, i, &n);
+	for (; offer != NULL;
+	     offer = edit_get_nth_offered_completion(y, ++i, &n)) {
 		char *text = xstrndup(offer, n);
 		int width = text_width_in_columns(text), from = column,
 		    room = area->columns - from - MORE;
@@ -248,16 +254,16 @@ draw_completions(struct tui *t, const struct area *area)
 			free(text);
 			break;
 		}
-		column = screen_text(area, 0, from, 0, "%s", text);
-		hits_add(&t->hits, HIT_PRESS,
-		    area_part_of_row(area, 0, from, column - from),
+		column = screen_draw_text(area, 0, from, 0, "%s", text);
+		hits_add_mouse_handler(&t->hits, HIT_PRESS,
+		    area_of_columns_in_row(area, 0, from, column - from),
 		    on_click_completion, i);
 		column += 2;
 		free(text);
 	}
 	y->shown = i - y->from;
 	if (offer != NULL || y->from > 0)
-		screen_text(area, 0, area->columns - MORE, 0, " ..");
+		screen_draw_text(area, 0, area->columns - MORE, 0, " ..");
 }
 
 /* Draws the word by which rows are filtered, and the number of rows that
@@ -265,8 +271,8 @@ draw_completions(struct tui *t, const struct area *area)
 static void
 draw_filter_word(struct tui *t, const struct area *area)
 {
-	FREED char *found = xasprintf(tr("%zu of %zu"), list_count_matching(t),
-	    pages_current(t)->list->n(t));
+	FREED char *found = xasprintf(tr("%zu of %zu"),
+	    list_count_matching_rows(t), pages_current(t)->list->n(t));
 	int at = pane_draw_search_word(
 	    t, area, t->filter.text, found, tr("Enter keep it  Esc all rows"));
 	if (t->filter.active && area->rows > 0)
@@ -274,7 +280,7 @@ draw_filter_word(struct tui *t, const struct area *area)
 }
 
 static bool
-is_filter_shown(const struct tui *t)
+is_list_filter_shown(const struct tui *t)
 {
 	return (t->filter.active || t->filter.n > 0) &&
 	       pages_current(t)->list != NULL;
@@ -282,7 +288,7 @@ is_filter_shown(const struct tui *t)
 
 /* Returns the hints for what is being typed, or NULL. */
 static const char *
-hints_while_typing(const struct tui *t)
+key_hints_while_typing(const struct tui *t)
 {
 	const struct edit *line = &t->line;
 	if (!line->active)
@@ -301,11 +307,11 @@ hints_while_typing(const struct tui *t)
 }
 
 static void
-frame_draw_hints(struct tui *t)
+frame_draw_key_hints(struct tui *t)
 {
 	const struct page_ops *page = pages_current(t);
-	const char *typing = hints_while_typing(t);
-	if (typing == NULL && is_filter_shown(t)) {
+	const char *typing = key_hints_while_typing(t);
+	if (typing == NULL && is_list_filter_shown(t)) {
 		draw_filter_word(t, &t->layout.hints);
 		return;
 	}
@@ -313,8 +319,8 @@ frame_draw_hints(struct tui *t)
 	    page->hints != NULL ? page->hints : page->hints_now(t);
 	FREED char *hints = typing != NULL
 				? xstrdup(typing)
-				: keys_hint_row(tr(keys), t->ui.page);
-	pane_hints(t, hints);
+				: keys_hint_row_text(tr(keys), t->ui.page);
+	pane_draw_key_hints(t, hints);
 }
 
 static void
@@ -329,9 +335,9 @@ draw_typed_speed(struct tui *t, const struct area *note)
 			   : atof(typed) > SITE_FASTEST   ? " rpm"
 			   : part                         ? ""
 							  : " m/s";
-	int at = screen_text(
+	int at = screen_draw_text(
 	    note, 0, 0, LOOK_BOLD, narrow ? "%s" : N_("speed: %s"), typed);
-	screen_text(note, 0, at, LOOK_BOLD,
+	screen_draw_text(note, 0, at, LOOK_BOLD,
 	    narrow && unit[0] != '\0' ? N_("_%s, Enter") : N_("_%s (Enter)"),
 	    unit);
 	t->cursor = (struct cursor){note->row, at};
@@ -358,7 +364,7 @@ draw_message_row(struct tui *t, const struct area *note)
 		draw_typed_speed(t, note);
 	} else if (t->line.active && t->line.offers != NULL) {
 		draw_completions(t, note);
-	} else if (is_filter_shown(t) && l->hints.rows == 0) {
+	} else if (is_list_filter_shown(t) && l->hints.rows == 0) {
 		screen_clear_area(note);
 		draw_filter_word(t, note);
 	} else if (t->message[0] != '\0' && note != &l->track) {
@@ -382,7 +388,7 @@ draw_bottom_rows(struct tui *t)
 					 is_status_in_command_row(t));
 	/* While a line is typed, a click elsewhere does nothing. */
 	if (typing)
-		hits_clear(&t->hits);
+		hits_clear_click_areas(&t->hits);
 	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
 			screen_clear_area(line);
@@ -396,15 +402,15 @@ draw_bottom_rows(struct tui *t)
 	if (note == line && typing && offers)
 		draw_completions(t, &l->hints);
 	else if ((note == line && typing) || !draw_message_row(t, note))
-		frame_draw_hints(t);
+		frame_draw_key_hints(t);
 }
 
 /* Draws the question over the last rows of the screen, at any size. */
 static void
-draw_question(struct tui *t, int rows, int columns)
+draw_yes_no_question(struct tui *t, int rows, int columns)
 {
 	FREED char *asks = xasprintf("%s %c/%c", t->question, tr_yes_letter(),
-		       tr_no_letter()),
+		       tr_letter_for_no()),
 		   *text = text_wrapped(asks, columns);
 	int n = text_count_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};
@@ -415,10 +421,12 @@ draw_question(struct tui *t, int rows, int columns)
 	int end = text_width_in_columns(last != NULL ? last + 1 : text);
 	t->cursor = (struct cursor){rows - 1, end};
 	/* The text ends with "y/n", and only these react to the mouse. */
-	hits_clear(&t->hits);
-	hits_add_key(&t->hits,
-	    area_part_of_row(&area, n - 1, end < 4 ? 0 : end - 4, 2), 'y');
-	hits_add_key(&t->hits, area_part_of_row(&area, n - 1, end - 1, 2), 'n');
+	hits_clear_click_areas(&t->hits);
+	hits_add_key_area(&t->hits,
+	    area_of_columns_in_row(&area, n - 1, end < 4 ? 0 : end - 4, 2),
+	    'y');
+	hits_add_key_area(
+	    &t->hits, area_of_columns_in_row(&area, n - 1, end - 1, 2), 'n');
 }
 
 static void
@@ -430,8 +438,8 @@ frame_draw_page(struct tui *t)
 	    (page->caption == NULL || !page->caption(t, caption)))
 		track_draw_heading(t);
 	if (page->strip)
-		strip_draw(t);
-	panel_draw_number_row(t);
+		response_strip_draw(t);
+	panel_draw_row_of_numbers(t);
 	page->draw(t);
 	draw_bottom_rows(t);
 }
@@ -440,7 +448,7 @@ frame_draw_page(struct tui *t)
 static void
 on_wheel_move_slider(struct tui *t, const struct mouse_event *touched)
 {
-	tui_step_slider_to(t, tui_slider_position(t) - touched->by);
+	tui_set_slider_position(t, tui_slider_position(t) - touched->by);
 }
 
 static void
@@ -469,9 +477,11 @@ add_wheel_areas(struct tui *t, bool viewing)
 	const struct area over[] = {l->plot, l->legend, l->differences,
 	    l->numbers, l->caption, l->strip, l->certainty, l->track};
 	if (viewing)
-		hits_add(hits, HIT_WHEEL, l->body, on_wheel_scroll_text, 0);
+		hits_add_mouse_handler(
+		    hits, HIT_WHEEL, l->body, on_wheel_scroll_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
-		hits_add(hits, HIT_WHEEL, over[i], on_wheel_move_slider, 0);
+		hits_add_mouse_handler(
+		    hits, HIT_WHEEL, over[i], on_wheel_move_slider, 0);
 	if (!viewing && list_has_rows(t))
 		list_add_wheel_area(t, l->body);
 }
@@ -486,17 +496,17 @@ frame_draw(struct tui *t)
 	bool viewing = t->viewer.text != NULL, list = t->picker.on && !viewing;
 	int list_rows = page->list_rows != NULL ? page->list_rows(t) : 0;
 	bool beside = list_rows == 0;
-	bool site = tui_current_entry(t) != NULL;
+	bool site = tui_current_site_entry(t) != NULL;
 	const struct layout_ask ask = {
 	    beside && site ? side_panel_columns(page, columns) : 0,
 	    beside && page->differences, site && page->strip, !site,
 	    tui_slider_range(t).rotor > 0, list_rows};
 	t->layout = viewing || list ? layout_make_for_text(rows, columns)
 				    : layout_make(rows, columns, ask);
-	hits_clear(&t->hits);
+	hits_clear_click_areas(&t->hits);
 	t->n_drawn = 0;
 	add_wheel_areas(t, viewing);
-	draw_header(t);
+	draw_screen_header(t);
 	t->cursor = (struct cursor){
 	    site ? t->layout.track.row : t->layout.command.row, 0};
 	if (t->layout.track.rows > 0 && site)
@@ -508,7 +518,7 @@ frame_draw(struct tui *t)
 	else
 		frame_draw_page(t);
 	if (t->question != NULL && !viewing)
-		draw_question(t, rows, columns);
+		draw_yes_no_question(t, rows, columns);
 	if (t->inquiry != NULL)
 		dialog_draw(t, rows, columns);
 	screen_show_frame(t->cursor.row, t->cursor.column);

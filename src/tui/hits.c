@@ -7,7 +7,7 @@
 #include "base/xalloc.h"
 
 void
-hits_clear(struct hits *hits)
+hits_clear_click_areas(struct hits *hits)
 {
 	hits->n = 0;
 }
@@ -29,27 +29,27 @@ hits_add_area(struct hits *hits, struct hit touch)
 }
 
 void
-hits_add(struct hits *hits, unsigned kinds, struct area area, mouse_action *way,
-    size_t item)
+hits_add_mouse_handler(struct hits *hits, unsigned kinds, struct area area,
+    mouse_action *way, size_t item)
 {
 	hits_add_area(hits, (struct hit){area, kinds, way, item, 0});
 }
 
 void
-hits_add_key(struct hits *hits, struct area area, int code)
+hits_add_key_area(struct hits *hits, struct area area, int code)
 {
 	hits_add_area(hits, (struct hit){area, HIT_PRESS, NULL, 0, code});
 }
 
 void
-hits_add_with_key(struct hits *hits, struct area area, mouse_action *way,
+hits_add_handler_and_key(struct hits *hits, struct area area, mouse_action *way,
     size_t item, int code)
 {
 	hits_add_area(hits, (struct hit){area, HIT_PRESS, way, item, code});
 }
 
 static void
-call_hit_handler(struct tui *t, const struct hit *touch, enum hit_kind kind,
+call_area_handler(struct tui *t, const struct hit *touch, enum hit_kind kind,
     int row, int column)
 {
 	int by = kind == HIT_UP ? -1 : kind == HIT_DOWN ? 1 : 0;
@@ -66,7 +66,7 @@ hits_dispatch_mouse(struct tui *t, struct hits *hits, enum hit_kind kind,
 	struct hit pressed = hits->pressed;
 	if (kind == HIT_DRAG) {
 		if (pressed.kinds & HIT_DRAG)
-			call_hit_handler(t, &pressed, kind, row, column);
+			call_area_handler(t, &pressed, kind, row, column);
 		return pressed.kinds & HIT_DRAG;
 	}
 	for (size_t i = hits->n; i-- > 0;) {
@@ -76,7 +76,7 @@ hits_dispatch_mouse(struct tui *t, struct hits *hits, enum hit_kind kind,
 		if (!(touch.kinds & kind) ||
 		    !area_has_cell(&touch.area, row, column))
 			continue;
-		call_hit_handler(t, &touch, kind, row, column);
+		call_area_handler(t, &touch, kind, row, column);
 		if (touch.code != 0)
 			key(t, touch.code, touch.code > 255);
 		else if (kind == HIT_PRESS)
@@ -87,7 +87,7 @@ hits_dispatch_mouse(struct tui *t, struct hits *hits, enum hit_kind kind,
 }
 
 const struct hit *
-hits_find_at(const struct hits *hits, int row, int column)
+hits_find_area_at(const struct hits *hits, int row, int column)
 {
 	for (size_t i = hits->n; i-- > 0;)
 		if (area_has_cell(&hits->at[i].area, row, column))

@@ -24,7 +24,7 @@ enum hit_kind {
 
 /* A mouse event in an area.  row, column: from its top left; negative or beyond
  * the area after a drag out of it.  by: rows by which the wheel moves a list
- * down.  item: as passed to hits_add. */
+ * down.  item: as passed to hits_add_mouse_handler. */
 struct mouse_event {
 	enum hit_kind kind;
 	int row, column, by;
@@ -52,21 +52,21 @@ struct hits {
 };
 
 /* Clears the areas for a new frame, except the one being dragged. */
-void hits_clear(struct hits *hits);
+void hits_clear_click_areas(struct hits *hits);
 void hits_free(struct hits *hits);
 
 /* Adds an area that handles these kinds, unless it has no cells. */
-void hits_add(struct hits *hits, unsigned kinds, struct area area,
+void hits_add_mouse_handler(struct hits *hits, unsigned kinds, struct area area,
     mouse_action *way, size_t item);
 
 /* Adds an area in which a press acts as a key (above 255: a special key of
  * ncurses). */
-void hits_add_key(struct hits *hits, struct area area, int code);
+void hits_add_key_area(struct hits *hits, struct area area, int code);
 
 /* Adds an area in which a press is handled by `way` and then acts as the
  * key. */
-void hits_add_with_key(struct hits *hits, struct area area, mouse_action *way,
-    size_t item, int code);
+void hits_add_handler_and_key(struct hits *hits, struct area area,
+    mouse_action *way, size_t item, int code);
 
 /* Passes a mouse action at a cell to the areas that contain it; a key that
  * an area stands for goes to `key`.  Returns false if none handled it. */
@@ -74,7 +74,8 @@ bool hits_dispatch_mouse(struct tui *t, struct hits *hits, enum hit_kind kind,
     int row, int column, void (*key)(struct tui *t, int code, bool special));
 
 /* Returns the topmost area that contains the cell, or NULL. */
-const struct hit *hits_find_at(const struct hits *hits, int row, int column);
+const struct hit *hits_find_area_at(
+    const struct hits *hits, int row, int column);
 
 /* Ends a drag: the button was released. */
 void hits_end_drag(struct hits *hits);

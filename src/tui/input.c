@@ -45,10 +45,10 @@ input_end_paste(struct tui *t)
 {
 	const struct paste *p = &t->paste;
 	if (p->left && p->taken == 0)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "pasted text was ignored: Esc, then paste it as a command");
 	else if (p->left)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "only part of the pasted text was used: the command line "
 		    "holds one line");
 	t->paste.on = false;
@@ -114,7 +114,7 @@ is_input_waiting(void)
 }
 
 bool
-input_next_key(struct tui *t, int *code, bool *special)
+input_read_next_key(struct tui *t, int *code, bool *special)
 {
 	wint_t c = 0;
 	if (t->put_back.is) {
@@ -123,7 +123,7 @@ input_next_key(struct tui *t, int *code, bool *special)
 		*special = t->put_back.special;
 		return true;
 	}
-	while (signals_pending() == 0) {
+	while (signals_get_recorded() == 0) {
 		int got = read_curses_key(&c);
 		if (got == ERR && !is_input_waiting())
 			return false;
@@ -136,7 +136,7 @@ input_next_key(struct tui *t, int *code, bool *special)
 		*special = got == KEY_CODE_YES;
 		if (!input_handle_paste(t, *code, *special))
 			return true;
-		t->pasted = session_clock();
+		t->pasted = session_clock_seconds();
 	}
 	return false;
 }

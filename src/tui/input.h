@@ -10,7 +10,7 @@
 /* Reads the next key.  Returns false if there is none, or on a signal.  Handles
  * pasted text itself.  code: a key code of ncurses if special, else a
  * character. */
-bool input_next_key(struct tui *t, int *code, bool *special);
+bool input_read_next_key(struct tui *t, int *code, bool *special);
 
 /* Handles pasted text, which terminals enclose in marks: it is typed into the
  * open line and never run.  Returns true for a mark and for text between marks,

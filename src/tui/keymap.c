@@ -35,7 +35,7 @@
  * response strip, the slider comes before the list.  Returns false if neither
  * handled it. */
 static bool
-move_within_page(struct tui *t, const struct key *key)
+handle_move_key_of_page_or_list(struct tui *t, const struct key *key)
 {
 	const struct page_ops *page = pages_current(t);
 	bool slides = page->strip && key->act != act_move_in_list;
@@ -46,33 +46,33 @@ move_within_page(struct tui *t, const struct key *key)
 void
 act_move_list_or_slider(struct tui *t, const struct key *key)
 {
-	if (move_within_page(t, key))
+	if (handle_move_key_of_page_or_list(t, key))
 		return;
 	t->pending_key = NULL;
-	tui_step_slider_to(t, tui_slider_position(t) + key->amount);
+	tui_set_slider_position(t, tui_slider_position(t) + key->amount);
 }
 
 void
 act_move_to_end(struct tui *t, const struct key *key)
 {
 	const struct slider_range range = tui_slider_range(t);
-	if (move_within_page(t, key))
+	if (handle_move_key_of_page_or_list(t, key))
 		return;
 	t->pending_key = NULL;
-	tui_step_slider_to(
+	tui_set_slider_position(
 	    t, key->amount == TO_LEAST ? range.least : range.most);
 }
 
 void
 act_move_in_list(struct tui *t, const struct key *key)
 {
-	move_within_page(t, key);
+	handle_move_key_of_page_or_list(t, key);
 }
 
 void
-act_go_to_run_speed(struct tui *t, const struct key *key)
+act_move_slider_to_run_speed(struct tui *t, const struct key *key)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	t->pending_key = NULL;
 	if (entry == NULL)
 		return;
@@ -80,13 +80,13 @@ act_go_to_run_speed(struct tui *t, const struct key *key)
 	double speed = key->amount < 0   ? site->run[0].speed
 		       : key->amount > 0 ? site->run[site->n_run - 1].speed
 					 : site_middle_speed(site);
-	tui_move_slider_to(t, speed);
+	tui_set_slider_speed(t, speed);
 }
 
 void
 act_type_speed(struct tui *t, const struct key *key)
 {
-	edit_type_letter(&t->speed, key->code, false, SPEED_LETTERS);
+	edit_insert_or_erase_letter(&t->speed, key->code, false, SPEED_LETTERS);
 }
 
 void
@@ -98,8 +98,8 @@ act_open_page(struct tui *t, const struct key *key)
 static char *
 default_file_name(const struct tui *t)
 {
-	return text_slug(tui_current_entry(t) != NULL
-			     ? tui_current_entry(t)->key
+	return text_slug(tui_current_site_entry(t) != NULL
+			     ? tui_current_site_entry(t)->key
 			     : "session");
 }
 
@@ -110,7 +110,7 @@ act_propose_save(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool saved;
-	const char *holder = files_session_script(t->session, &saved);
+	const char *holder = files_session_script_path(t->session, &saved);
 	FREED char *slug = default_file_name(t);
 	FREED char *name = holder != NULL ? xasprintf("\"%s\"%s", holder,
 						saved ? "" : " replace=on")
@@ -125,25 +125,25 @@ act_propose_save(struct tui *t, const struct key *key)
 /* Proposes "tierp-74.0.xlsx", which a spreadsheet opens whatever its decimal
  * sign. */
 void
-act_export_prediction(struct tui *t, const struct key *key)
+act_propose_export(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	if (entry == NULL || !entry->has_params) {
-		tui_say(t, true, "%s", tui_why_no_prediction(t));
+		tui_set_message(t, true, "%s", tui_why_no_prediction(t));
 		return;
 	}
 	FREED char *line = tui_command_at_slider(t),
 		   *slug = default_file_name(t);
 	bool in_rpm = answers_is_sheet_in_rpm(entry->site);
 	FREED char *name = xasprintf("%s-%.*f.xlsx", slug, in_rpm ? 0 : 1,
-	    answers_speed_number(entry->site, tui_slider_speed(t)));
+	    answers_speed_in_sheet_unit(entry->site, tui_slider_speed(t)));
 	xappend(&line, " > ");
 	edit_begin_with_proposal(&t->line, line, name);
 }
 
 void
-act_type_command(struct tui *t, const struct key *key)
+act_open_command_line(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->message[0] = '\0';
@@ -160,14 +160,15 @@ void
 act_describe_plot(struct tui *t, const struct key *key)
 {
 	char *(*words)(const struct tui *) = pages_current(t)->words;
-	FREED char *of = words != NULL ? words(t) : pane_curves_plot_name(t);
+	FREED char *of =
+	    words != NULL ? words(t) : pane_curves_plot_arguments(t);
 	FREED char *line = xasprintf("%s %s", key->hint, of);
 	cmdline_run_line(t, line);
 }
 
 /* Goes to the next choice of runs that correct the answer. */
 void
-act_next_correcting_runs(struct tui *t, const struct key *key)
+act_next_correction_setting(struct tui *t, const struct key *key)
 {
 	(void)key;
 	static const char *const SAID[] = {
@@ -184,7 +185,8 @@ act_next_correcting_runs(struct tui *t, const struct key *key)
 	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
 	cmdline_run_line(t, line);
 	if (!t->failed && t->viewer.text == NULL)
-		tui_say(t, false, "%s", tr(SAID[t->session->set.correction]));
+		tui_set_message(
+		    t, false, "%s", tr(SAID[t->session->set.correction]));
 }
 
 /* Asks before a calibration replaces parameters.  Returns true if it may. */
@@ -192,7 +194,7 @@ static bool
 confirm_replace_params(struct tui *t)
 {
 	struct session *s = t->session;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	if (!entry->has_params)
 		return true;
 	FREED char *asks = xasprintf(
@@ -202,7 +204,7 @@ confirm_replace_params(struct tui *t)
 	    entry->key);
 	bool yes = s->hooks.confirm(s, asks, false);
 	if (!yes)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    entry->has_fit
 			? N_("not calibrated again: the parameters stay")
 			: N_("not calibrated: the parameters stay"));
@@ -213,15 +215,15 @@ static void
 restart_calibration(struct tui *t, const char *line)
 {
 	tui_stop_fit(t);
-	control_run_command(t, line);
+	control_run_command_captured(t, line);
 }
 
 void
 act_calibrate(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (tui_current_entry(t) == NULL) {
-		tui_say(t, true, TUI_NO_SITE);
+	if (tui_current_site_entry(t) == NULL) {
+		tui_set_message(t, true, TUI_NO_SITE);
 		return;
 	}
 	if (!confirm_replace_params(t))
@@ -232,34 +234,37 @@ act_calibrate(struct tui *t, const struct key *key)
 
 /* Pauses or continues the calibration, or continues one that was stopped. */
 void
-act_toggle_pause(struct tui *t, const struct key *key)
+act_toggle_calibration_pause(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct session *s = t->session;
 	if (session_is_calibrating(s)) {
 		watch_set_fit_paused(t, !t->held);
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    t->held ? N_("paused: Space continues") : N_("continuing"));
 	} else if (s->job.calibration != NULL) {
 		restart_calibration(t, "continue");
 	} else {
-		tui_say(t, false, "no calibration is running: f starts one");
+		tui_set_message(
+		    t, false, "no calibration is running: f starts one");
 	}
 }
 
 void
-act_change_search_pace(struct tui *t, const struct key *key)
+act_change_calibration_pace(struct tui *t, const struct key *key)
 {
 	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
 	t->ui.pace =
-	    (int)pane_clamp_index((size_t)from, key->amount, PACE_COUNT);
+	    (int)pane_move_index_clamped((size_t)from, key->amount, PACE_COUNT);
 	t->due = t->clock;
 	if (t->ui.pace == PACE_AUTO)
-		tui_say(t, false, "pace: slower while the best improves fast");
+		tui_set_message(
+		    t, false, "pace: slower while the best improves fast");
 	else if (t->ui.pace == PACE_FULL)
-		tui_say(t, false, "pace: as many generations as possible");
+		tui_set_message(
+		    t, false, "pace: as many generations as possible");
 	else
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    tr_n("pace: %g generation a second",
 			"pace: %g generations a second",
 			PACES[t->ui.pace] > 1 ? 2 : 1),
@@ -272,21 +277,21 @@ act_toggle_pin(struct tui *t, const struct key *key)
 	(void)key;
 	const struct numbers was = t->view.pinned;
 	const bool pinned = was.site[0] != '\0';
-	FREED char *where = tui_options_at_slider(t),
+	FREED char *where = tui_speed_and_feed_options(t),
 		   *line = xasprintf("pin %s", where);
-	FREED char *speed =
-	    answers_speed_text(pinned ? tui_pinned_site(t) : tui_site(t),
-		pinned ? was.speed : tui_slider_speed(t), 1);
+	FREED char *speed = answers_speed_text(
+	    pinned ? tui_pinned_site(t) : tui_current_site(t),
+	    pinned ? was.speed : tui_slider_speed(t), 1);
 	if (!pinned && t->view.current.site[0] == '\0')
-		tui_say(t, true, "%s", tui_why_no_prediction(t));
-	else if (!control_run_command(t, pinned ? "pin off" : line))
+		tui_set_message(t, true, "%s", tui_why_no_prediction(t));
+	else if (!control_run_command_captured(t, pinned ? "pin off" : line))
 		; /* it has shown the error */
 	else if (pinned)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "unpinned %s at %s: u pins it again, x what is shown now",
 		    was.site, speed);
 	else
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    session_is_calibrating(t->session)
 			? N_("pinned %s at %s: go to another speed or "
 			     "site; e exports both; from a running search, so "
@@ -300,17 +305,18 @@ void
 act_toggle_band(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	t->ui.band = !t->ui.band;
 	if (!t->ui.band)
-		tui_say(t, false, "band off");
+		tui_set_message(t, false, "band off");
 	if (!t->ui.band || t->view.current.site[0] == '\0')
 		return;
 	bool known = t->view.shown.low != NULL;
 	if (known)
-		tui_say(t, false, "band on; the line hides it where thin");
+		tui_set_message(
+		    t, false, "band on; the line hides it where thin");
 	else
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    entry->has_fit && fit_has_too_few_data(&entry->fit)
 			? "%s"
 			: N_("%s; f calibrates"),
@@ -324,7 +330,7 @@ act_stop_fit(struct tui *t, const struct key *key)
 	if (session_is_calibrating(t->session))
 		tui_stop_fit(t);
 	else
-		tui_say(t, false, "no calibration to stop: q quits");
+		tui_set_message(t, false, "no calibration to stop: q quits");
 }
 
 void
@@ -334,7 +340,7 @@ act_toggle_mouse(struct tui *t, const struct key *key)
 	bool on = !t->mouse && screen_set_mouse(true);
 	if (t->mouse)
 		screen_set_mouse(false);
-	tui_say(t, false,
+	tui_set_message(t, false,
 	    on         ? N_("mouse on: Shift-drag selects text")
 	    : t->mouse ? N_("mouse off: drag selects text, M turns it on")
 		       : N_("this terminal has no mouse"));
@@ -364,11 +370,12 @@ act_go_back(struct tui *t, const struct key *key)
 	else if (!predict)
 		pages_go_to(t, PAGE_PREDICT);
 	else
-		tui_say(t, false, "there is nothing to go back to: q quits");
+		tui_set_message(
+		    t, false, "there is nothing to go back to: q quits");
 }
 
 void
-act_open_files(struct tui *t, const struct key *key)
+act_open_file_picker(struct tui *t, const struct key *key)
 {
 	(void)key;
 	file_picker_open(t, PICK_FILES);
@@ -410,10 +417,10 @@ run_key_action(struct tui *t, const struct key *key)
 static bool
 handle_goal_field_key(struct tui *t, int code, bool special)
 {
-	FREED char *line = goal_handle_key(t, code, special);
-	if (line != NULL && control_run_command(t, line) &&
+	FREED char *line = goal_edit_field_by_key(t, code, special);
+	if (line != NULL && control_run_command_captured(t, line) &&
 	    !goals_is_set(t->session))
-		tui_say(t, false, "no goal any more: u brings it back");
+		tui_set_message(t, false, "no goal any more: u brings it back");
 	return true;
 }
 
@@ -424,7 +431,7 @@ handle_command_line_key(struct tui *t, int code, bool special)
 	enum edit_result result = edit_handle_key(y, t->session, code, special);
 	if (result == EDIT_ON)
 		return true;
-	edit_end(y);
+	edit_stop_editing(y);
 	if (result == EDIT_DONE)
 		cmdline_run_line(t, y->text);
 	return true;
@@ -455,29 +462,31 @@ is_letter_of_typed_speed(const struct edit *y, int code)
 }
 
 static void
-go_to_typed_speed(struct tui *t, const char *text)
+move_slider_to_typed_speed(struct tui *t, const char *text)
 {
-	double rotor = tui_known_rotor(t), v = NAN;
+	double rotor = tui_rotor_diameter(t), v = NAN;
 	bool said = strstr(text, "rpm") != NULL;
 	bool read = value_parse_number(text, said ? "rpm" : "m/s", &v);
 	/* A number above SITE_FASTEST must be rpm: no tip speed is as high. */
 	bool turns = said || v > SITE_FASTEST;
-	double speed =
-	    turns && rotor > 0 ? site_speed_from_rpm(tui_site(t), v, rotor) : v;
+	double speed = turns && rotor > 0
+			   ? site_speed_from_rpm(tui_current_site(t), v, rotor)
+			   : v;
 	if (!read)
-		tui_say(t, true,
+		tui_set_message(t, true,
 		    "expected a speed such as 72.5 or 1450 rpm, got %s", text);
 	else if (turns && !(rotor > 0))
-		tui_say(t, true,
+		tui_set_message(t, true,
 		    "the rotor's diameter is not known: type m/s, or state it "
 		    "in the sheet as rotor_mm");
 	else if (speed < 1 || speed > SITE_FASTEST)
-		tui_say(t, true, "expected a speed from 1 to %d m/s, got %s",
-		    SITE_FASTEST, text);
+		tui_set_message(t, true,
+		    "expected a speed from 1 to %d m/s, got %s", SITE_FASTEST,
+		    text);
 	else if (slider_has_speed(tui_slider_range(t), speed))
-		tui_move_slider_to(t, speed);
+		tui_set_slider_speed(t, speed);
 	else
-		control_say_speed_off_slider(t, speed);
+		control_report_speed_off_slider(t, speed);
 }
 
 /* Returns true if a digit begins a speed.  One that opens a page does not:
@@ -500,14 +509,15 @@ handle_typed_speed_key(struct tui *t, int code, bool special)
 	if (code == ',')
 		code = '.';
 	if (back || (!special && is_letter_of_typed_speed(y, code)))
-		return edit_type_letter(y, code, special, SPEED_LETTERS);
+		return edit_insert_or_erase_letter(
+		    y, code, special, SPEED_LETTERS);
 	/* Behind "=" no letter is meant as a key of the page. */
 	if (!special && y->text[0] == '=' && code >= ' ')
 		return true;
 	if (code == '\n' || code == '\r') {
 		const char *text = y->text + (y->text[0] == '=');
 		if (*text != '\0')
-			go_to_typed_speed(t, text);
+			move_slider_to_typed_speed(t, text);
 	}
 	edit_begin(y, "");
 	return code == '\n' || code == '\r' || code == ESCAPE;
@@ -519,7 +529,7 @@ handle_typed_speed_key(struct tui *t, int code, bool special)
 static void
 handle_mouse_action(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	const struct hit *at = hits_find_at(&t->hits, row, column);
+	const struct hit *at = hits_find_area_at(&t->hits, row, column);
 	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
 	if (kind == HIT_PRESS && !own)
 		edit_begin(&t->speed, "");
@@ -527,7 +537,7 @@ handle_mouse_action(struct tui *t, enum hit_kind kind, int row, int column)
 }
 
 static void
-translate_mouse_event(struct tui *t,
+dispatch_curses_mouse_event(struct tui *t,
     void (*touched)(struct tui *t, enum hit_kind kind, int row, int column))
 {
 	MEVENT e;
@@ -544,7 +554,7 @@ translate_mouse_event(struct tui *t,
 		hits_end_drag(&t->hits);
 }
 
-/* The next input_next_key returns this key. */
+/* The next input_read_next_key returns this key. */
 static void
 put_key_back(struct tui *t, int code, bool special)
 {
@@ -560,25 +570,26 @@ on_mouse_in_question(struct tui *t, enum hit_kind kind, int row, int column)
 }
 
 void
-keymap_handle_answer_mouse(struct tui *t)
+keymap_handle_question_mouse(struct tui *t)
 {
-	translate_mouse_event(t, on_mouse_in_question);
+	dispatch_curses_mouse_event(t, on_mouse_in_question);
 }
 
 static bool
 handle_page_key(struct tui *t, int code, bool special)
 {
 	const struct key *key = keys_find_by_code(code, t->ui.page);
-	if (word_delay_key(t, code, special, key))
+	if (word_hold_letter_until_next_key(t, code, special, key))
 		return true;
 	run_key_action(t, key);
 	if (key == NULL && code > ' ' && code < DELETE)
-		tui_say(t, false, "this key has no function: ? lists the keys");
+		tui_set_message(
+		    t, false, "this key has no function: ? lists the keys");
 	return true;
 }
 
 static bool
-handle_answer_key(struct tui *t, int code, bool special)
+handle_dialog_answer_key(struct tui *t, int code, bool special)
 {
 	dialog_handle_key(t, code, special);
 	return true;
@@ -589,7 +600,7 @@ handle_answer_key(struct tui *t, int code, bool special)
  * are read elsewhere. */
 enum mode { ANSWER, QUESTION, GOAL, LINE, TEXT, FILES, FILTER, SPEED, PAGE };
 static bool (*const MODES[])(struct tui *t, int code, bool special) = {
-    [ANSWER] = handle_answer_key,
+    [ANSWER] = handle_dialog_answer_key,
     [QUESTION] = NULL,
     [GOAL] = handle_goal_field_key,
     [LINE] = handle_command_line_key,
@@ -600,7 +611,7 @@ static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [PAGE] = handle_page_key};
 
 static enum mode
-first_open_input_mode_from(const struct tui *t, enum mode from)
+find_active_input_mode(const struct tui *t, enum mode from)
 {
 	const bool open[] = {[ANSWER] = t->inquiry != NULL,
 	    [QUESTION] = t->question != NULL,
@@ -619,7 +630,7 @@ first_open_input_mode_from(const struct tui *t, enum mode from)
 bool
 keymap_is_typed_as_text(const struct tui *t, int code)
 {
-	switch (first_open_input_mode_from(t, ANSWER)) {
+	switch (find_active_input_mode(t, ANSWER)) {
 	case ANSWER:
 	case GOAL:
 	case LINE:
@@ -638,14 +649,14 @@ keymap_is_typed_as_text(const struct tui *t, int code)
 void
 keymap_open_command_line(struct tui *t)
 {
-	if (first_open_input_mode_from(t, ANSWER) == SPEED && t->speed.n == 0)
-		act_type_command(t, NULL);
+	if (find_active_input_mode(t, ANSWER) == SPEED && t->speed.n == 0)
+		act_open_command_line(t, NULL);
 }
 
 void
 keymap_run_delayed_key(struct tui *t)
 {
-	run_key_action(t, word_take_delayed_key(t));
+	run_key_action(t, word_pop_delayed_key(t));
 }
 
 /* Runs the held key before the key `code`.  It may ask a question, such as
@@ -664,7 +675,7 @@ run_delayed_key_before(struct tui *t, int code, bool special)
 void
 keymap_handle_key(struct tui *t, int code, bool special)
 {
-	if (word_begin_command_line(t, code, special) ||
+	if (word_open_cmdline_on_two_letters(t, code, special) ||
 	    run_delayed_key_before(t, code, special))
 		return;
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
@@ -673,13 +684,13 @@ keymap_handle_key(struct tui *t, int code, bool special)
 	}
 	/* A character beyond ASCII is not a key, though its code may equal that
 	 * of one. */
-	enum mode mode = first_open_input_mode_from(t, ANSWER);
+	enum mode mode = find_active_input_mode(t, ANSWER);
 	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
 	    mode != LINE)
 		return;
 	const struct key *key = keys_find_by_code(code, t->ui.page);
 	if (special && code == KEY_MOUSE) {
-		translate_mouse_event(t, handle_mouse_action);
+		dispatch_curses_mouse_event(t, handle_mouse_action);
 		return;
 	}
 	if (key != NULL && (key->act == act_suspend_program ||
@@ -692,5 +703,5 @@ keymap_handle_key(struct tui *t, int code, bool special)
 	if (mode >= FILTER)
 		t->message[0] = '\0';
 	while (MODES[mode] != NULL && !MODES[mode](t, code, special))
-		mode = first_open_input_mode_from(t, mode + 1);
+		mode = find_active_input_mode(t, mode + 1);
 }

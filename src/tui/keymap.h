@@ -20,6 +20,6 @@ void keymap_run_delayed_key(struct tui *t);
 
 /* Handles the mouse event that ncurses holds while the program waits for an
  * answer: if an area stands for a key, that key is read next. */
-void keymap_handle_answer_mouse(struct tui *t);
+void keymap_handle_question_mouse(struct tui *t);
 
 #endif

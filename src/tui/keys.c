@@ -57,24 +57,26 @@ const struct key KEYS[] = {
 	"to the fast end of the track; to the last of a list", NULL, NULL},
     {'=', "=", ON_ALL | FIRST_ON_PREDICT, act_type_speed, 0,
 	"type a speed: =72.5 Enter", "a speed: =72.5 Enter", NULL},
-    {'[', "[", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_go_to_run_speed, -1,
-	"to the slowest run", "slowest, fastest, middle", NULL},
-    {']', "]", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_go_to_run_speed, 1,
-	"to the fastest run", NULL, NULL},
-    {'m', "m", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_go_to_run_speed, 0,
-	"to the middle of the runs", NULL, NULL},
-    {'t', "t", ON_ALL, act_type_goal, 0,
+    {'[', "[", ON_ALL | FIRST_ON_PREDICT | CHANGES,
+	act_move_slider_to_run_speed, -1, "to the slowest run",
+	"slowest, fastest, middle", NULL},
+    {']', "]", ON_ALL | FIRST_ON_PREDICT | CHANGES,
+	act_move_slider_to_run_speed, 1, "to the fastest run", NULL, NULL},
+    {'m', "m", ON_ALL | FIRST_ON_PREDICT | CHANGES,
+	act_move_slider_to_run_speed, 0, "to the middle of the runs", NULL,
+	NULL},
+    {'t', "t", ON_ALL, act_open_goal_field, 0,
 	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none", "goal",
 	"goal"},
     {'T', "T", ON_PREDICT, act_toggle_goal_view, 0,
 	"the goal at full height, with its conditions; again: back", "its plot",
 	"plot"},
-    {'n', "n", ON_ALL | AT_SPEED | CHANGES, act_go_to_goal_speed, 1,
+    {'n', "n", ON_ALL | AT_SPEED | CHANGES, act_move_slider_to_goal_speed, 1,
 	"to the next speed at which the goal begins or ends, or the next run",
 	"its limits, or runs", "limits"},
-    {'p', "p", ON_ALL | AT_SPEED | CHANGES, act_go_to_goal_speed, -1,
+    {'p', "p", ON_ALL | AT_SPEED | CHANGES, act_move_slider_to_goal_speed, -1,
 	"to the limit or run before", NULL, NULL},
-    {'N', "N", ON_ALL | AT_SPEED | CHANGES, act_go_to_goal_speed, 0,
+    {'N', "N", ON_ALL | AT_SPEED | CHANGES, act_move_slider_to_goal_speed, 0,
 	"to the best speed of the goal", "its best speed", "best"},
     {'y', "y", ON_PREDICT, act_next_quantity, 1,
 	"next quantity above the track: P80, P50 ..", "other quantity", NULL},
@@ -86,18 +88,18 @@ const struct key KEYS[] = {
 	"sieve"},
     {KEY_DOWN, "Down, j", ON_ALL | FIRST_ON_LISTS, act_move_in_list, 1,
 	"down in a list; crosshair to a finer sieve", NULL, NULL},
-    {'\n', "Enter", ON_FIT, act_type_bounds, 0,
+    {'\n', "Enter", ON_FIT, act_open_bounds_command, 0,
 	"type bounds for the parameter chosen by Up, Down",
 	"bounds of the parameter", "bounds"},
     {'.', ".", ON_FIT, act_next_generation, 0,
 	"run one search step, then pause; or show the next", "one generation",
 	NULL},
-    {'\n', "Enter", ON_PREDICT, act_show_all_numbers, 0,
+    {'\n', "Enter", ON_PREDICT, act_show_numbers_or_calibrate, 0,
 	"all numbers, including pinned ones; calibrates first if needed",
 	"all numbers", "numbers"},
     {'\n', "Enter", ON_ALL & ~(ON_PREDICT | ON_FIT | ON_DATA), act_open_row, 0,
 	"open the chosen row: use a site", "use the site", "use it"},
-    {'\n', "Enter", ON_DATA, act_mend_cell, 0,
+    {'\n', "Enter", ON_DATA, act_correct_cell, 0,
 	"mend the doubtful cell; u undoes it", "mend the cell", "mends"},
     {'!', "!", ON_DATA, act_next_doubtful_cell, 0,
 	"to the next doubtful cell of the sheet", "next doubtful cell",
@@ -106,12 +108,12 @@ const struct key KEYS[] = {
 	"sort by the next column, or click a heading", "sort", NULL},
     {'O', "O", ON_SITES, act_sort_sites, -1, "sort the other way round", NULL,
 	NULL},
-    {'/', "/", ON_PARITY | ON_SITES, act_type_filter, 0,
+    {'/', "/", ON_PARITY | ON_SITES, act_open_filter_field, 0,
 	"show only the rows that contain a word", "find a word", "filter"},
     {ESCAPE, "Esc", ON_ALL, act_go_back, 0,
 	"one step back: from a word, the crosshair, a page; never quits",
 	"back", NULL},
-    {'o', "o", ON_ALL & ~ON_SITES, act_open_files, 0,
+    {'o', "o", ON_ALL & ~ON_SITES, act_open_file_picker, 0,
 	"open a sheet: a list of files, with a preview of each", "open a sheet",
 	NULL},
     {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_toggle_crosshair, 0,
@@ -123,8 +125,8 @@ const struct key KEYS[] = {
 	NULL, NULL},
     {'b', "b", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_toggle_band, 0,
 	"uncertainty band on or off, if known", "band", NULL},
-    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_next_correcting_runs, 0,
-	"runs that correct the answer: all, the training runs, none",
+    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_next_correction_setting,
+	0, "runs that correct the answer: all, the training runs, none",
 	"runs that correct it", NULL},
     {'x', "x", ON_ALL | FIRST_ON_PREDICT | AT_SPEED | CHANGES, act_toggle_pin,
 	0, "pin this prediction for comparison; again: unpin", "pin, unpin",
@@ -132,11 +134,11 @@ const struct key KEYS[] = {
     {'v', "v", ON_FIT, act_next_plot, 0,
 	"the next plot: search, curves, convergence, spread", "next plot",
 	"plot"},
-    {'r', "r", ON_PREDICT, act_show_all_runs, 0,
+    {'r', "r", ON_PREDICT, act_toggle_all_runs_view, 0,
 	"all runs, measured and predicted; again: back", "all runs", NULL},
     {'f', "f", ON_ALL | FIRST_ON_FIT | CHANGES, act_calibrate, 0,
 	"calibrate, or start again", "calibrate", "fit"},
-    {' ', "Space", ON_ALL | FIRST_ON_FIT, act_toggle_pause, 0,
+    {' ', "Space", ON_ALL | FIRST_ON_FIT, act_toggle_calibration_pause, 0,
 	"pause or resume the calibration; once stopped: continue",
 	"pause, continue", "pause"},
     {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop_fit, 0,
@@ -144,16 +146,16 @@ const struct key KEYS[] = {
 	"stop, keep"},
     {INTERRUPT, "^C", ON_ALL | CHANGES, act_stop_fit, 0,
 	"stop the calibration and keep the best", NULL, NULL},
-    {'+', "+", ON_ALL | FIRST_ON_FIT, act_change_search_pace, 1,
+    {'+', "+", ON_ALL | FIRST_ON_FIT, act_change_calibration_pace, 1,
 	"more generations a second", "faster, slower display", "pace"},
-    {'-', "-", ON_ALL | FIRST_ON_FIT, act_change_search_pace, -1,
+    {'-', "-", ON_ALL | FIRST_ON_FIT, act_change_calibration_pace, -1,
 	"fewer generations a second", NULL, NULL},
     {'d', "d", ON_ALL | AT_SPEED | RUNS_COMMAND, act_describe_plot, 0,
 	"describe the plot of the page in words", "plot in words", "describe"},
-    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export_prediction, 0,
+    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_propose_export, 0,
 	"export the prediction, a pinned one too: .xlsx, .csv, .svg", "export",
 	NULL},
-    {':', ":", ON_ALL | AT_SPEED, act_type_command, 0,
+    {':', ":", ON_ALL | AT_SPEED, act_open_command_line, 0,
 	"a command: find, spec, bounds ..; Tab completes, Up repeats",
 	"command", NULL},
     {'u', "u", ON_ALL | CHANGES | RUNS_COMMAND, act_run_hint_command, 0,
@@ -254,7 +256,7 @@ keys_code_of_name(const char *name, int *code)
  * any.  Returns "" if the hint already has words after its keys: "1-5
  * pages". */
 static const char *
-what_keys_of_hint_do(const char *hint, enum page page)
+description_of_keys_in_hint_line(const char *hint, enum page page)
 {
 	const char *words = "";
 	for (size_t n; *hint != '\0'; hint += n + (hint[n] != '\0')) {
@@ -287,12 +289,13 @@ keys_next_hint(const char **hints)
 }
 
 char *
-keys_hint_row(const char *hints, enum page page)
+keys_hint_row_text(const char *hints, enum page page)
 {
 	char *bar = xstrdup("");
 	while (*hints != '\0') {
 		FREED char *hint = keys_next_hint(&hints);
-		const char *words = what_keys_of_hint_do(hint, page);
+		const char *words =
+		    description_of_keys_in_hint_line(hint, page);
 		xappend_to_list(
 		    &bar, "  ", "%s%s%s", hint, words[0] ? " " : "", words);
 	}
@@ -317,7 +320,7 @@ static const char *const IN_RPM[][2] = {
     {"a speed: =72.5 Enter", N_("a speed: =1450 Enter")}};
 
 const char *
-keys_shown_text(const char *words, bool in_rpm)
+keys_text_for_speed_unit(const char *words, bool in_rpm)
 {
 	for (size_t i = 0; in_rpm && i < ARRAY_LEN(IN_RPM); i++)
 		if (strcmp(words, IN_RPM[i][0]) == 0)
@@ -331,7 +334,7 @@ static char *
 key_description(const struct key *k, bool in_rpm)
 {
 	unsigned pages = k->where & ON_ALL;
-	char *words = xstrdup(keys_shown_text(k->what, in_rpm));
+	char *words = xstrdup(keys_text_for_speed_unit(k->what, in_rpm));
 	for (enum page page = 0; page < PAGES; page++)
 		if (pages == 1U << page)
 			xappend(&words, " (%s)",
@@ -353,7 +356,7 @@ is_key_of_page(const struct key *k, enum page page)
 /* Returns a line of the brief list, "  Up Down       a row": a key, with those
  * listed with it as far as there is room. */
 static char *
-brief_help_line(const struct key *k, bool in_rpm)
+brief_key_help_line(const struct key *k, bool in_rpm)
 {
 	enum { ROOM = 13 };
 	FREED char *names = xstrndup(k->name, strcspn(k->name, ","));
@@ -363,12 +366,12 @@ brief_help_line(const struct key *k, bool in_rpm)
 		if (strlen(names) + 1 + n <= ROOM)
 			xappend(&names, " %.*s", (int)n, next->name);
 	}
-	return xasprintf(
-	    "  %-*s %s", ROOM, names, keys_shown_text(k->brief, in_rpm));
+	return xasprintf("  %-*s %s", ROOM, names,
+	    keys_text_for_speed_unit(k->brief, in_rpm));
 }
 
 static char *
-full_help_line(const struct key *k, bool in_rpm)
+full_key_help_line(const struct key *k, bool in_rpm)
 {
 	FREED char *words = key_description(k, in_rpm);
 	return xasprintf("  %-15s %s", k->name, words);
@@ -377,12 +380,12 @@ full_help_line(const struct key *k, bool in_rpm)
 static bool
 has_word_in_help_line(const struct key *k, const char *word)
 {
-	FREED char *line = full_help_line(k, false);
-	return text_contains_word(line, word);
+	FREED char *line = full_key_help_line(k, false);
+	return text_contains_folded(line, word);
 }
 
 static bool
-is_in_brief_list(const struct key *k, enum page page)
+is_key_in_brief_list(const struct key *k, enum page page)
 {
 	return k->brief != NULL && k->where & (1U << page);
 }
@@ -390,7 +393,7 @@ is_in_brief_list(const struct key *k, enum page page)
 /* Lists keys, those of the page first: all keys of the page or, if there is a
  * word, those whose line contains it.  Returns their number. */
 static size_t
-find_listed_keys(enum page page, const char *word,
+list_keys_of_page_or_word(enum page page, const char *word,
     const struct key *line[static ARRAY_LEN(KEYS)])
 {
 	size_t n = 0;
@@ -398,7 +401,7 @@ find_listed_keys(enum page page, const char *word,
 		for (const struct key *k = KEYS; k->code != 0; k++)
 			if (is_key_of_page(k, page) == own &&
 			    (word[0] != '\0' ? has_word_in_help_line(k, word)
-					     : is_in_brief_list(k, page)))
+					     : is_key_in_brief_list(k, page)))
 				line[n++] = k;
 	return n;
 }
@@ -407,11 +410,11 @@ void
 keys_print_list(enum page page, const char *word, bool in_rpm, FILE *out)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	size_t n = find_listed_keys(page, word, line);
+	size_t n = list_keys_of_page_or_word(page, word, line);
 	for (size_t i = 0; i < n; i++) {
 		FREED char *text = word[0] == '\0'
-				       ? brief_help_line(line[i], in_rpm)
-				       : full_help_line(line[i], in_rpm);
+				       ? brief_key_help_line(line[i], in_rpm)
+				       : full_key_help_line(line[i], in_rpm);
 		fprintf(out, "%s\n", text);
 	}
 	if (n == 0)
@@ -425,17 +428,17 @@ keys_print_list(enum page page, const char *word, bool in_rpm, FILE *out)
 }
 
 const struct key *
-keys_listed_at(enum page page, const char *word, size_t n)
+keys_nth_listed(enum page page, const char *word, size_t n)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	return n < find_listed_keys(page, word, line) ? line[n] : NULL;
+	return n < list_keys_of_page_or_word(page, word, line) ? line[n] : NULL;
 }
 
 size_t
 keys_count_listed(enum page page, const char *word)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	return find_listed_keys(page, word, line);
+	return list_keys_of_page_or_word(page, word, line);
 }
 
 void

@@ -35,19 +35,19 @@ char *keys_next_hint(const char **hints);
 /* Returns the row of hints for keys that are separated by two spaces, "<-/->  n
  * p  Enter use it".  A key without words gets those of its row in KEYS.  The
  * caller frees it. */
-char *keys_hint_row(const char *hints, enum page page);
+char *keys_hint_row_text(const char *hints, enum page page);
 
 /* For the list that ? shows.  keys_print_list prints a line for each key whose
  * line contains the word, ignoring case, the page's own keys first.  If the
  * word is "", it prints all keys of the page, in brief.  in_rpm: with speeds in
- * rpm.  keys_listed_at returns the key of line n, or NULL; keys_count_listed
+ * rpm.  keys_nth_listed returns the key of line n, or NULL; keys_count_listed
  * returns the number of lines. */
 void keys_print_list(enum page page, const char *word, bool in_rpm, FILE *out);
-const struct key *keys_listed_at(enum page page, const char *word, size_t n);
+const struct key *keys_nth_listed(enum page page, const char *word, size_t n);
 size_t keys_count_listed(enum page page, const char *word);
 
 /* Returns a text about a key, translated.  in_rpm: with speeds in rpm. */
-const char *keys_shown_text(const char *words, bool in_rpm);
+const char *keys_text_for_speed_unit(const char *words, bool in_rpm);
 
 /* Prints the keys for tipspeed-tui(1), as mdoc. */
 void keys_print_manual(FILE *out);

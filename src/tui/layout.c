@@ -14,7 +14,8 @@ area_has_cell(const struct area *a, int row, int column)
 }
 
 struct area
-area_part_of_row(const struct area *area, int row, int column, int columns)
+area_of_columns_in_row(
+    const struct area *area, int row, int column, int columns)
 {
 	return (struct area){
 	    area->row + row, area->column + column, 1, columns};
@@ -23,11 +24,11 @@ area_part_of_row(const struct area *area, int row, int column, int columns)
 struct area
 area_of_row(const struct area *area, int row)
 {
-	return area_part_of_row(area, row, 0, area->columns);
+	return area_of_columns_in_row(area, row, 0, area->columns);
 }
 
 struct area
-area_cut(struct area *from, enum edge edge, int n)
+area_cut_off_edge(struct area *from, enum edge edge, int n)
 {
 	struct area cut = *from;
 	bool across = edge == EDGE_LEFT || edge == EDGE_RIGHT;
@@ -61,8 +62,8 @@ split_off_side_panel(struct layout *l, int rows, int side_columns)
 		l->side.rows *= side_columns > 0 && l->body.columns >= PANEL;
 	} else if (rows >= SIDE_ROWS && side_columns > 0 &&
 		   l->body.columns - side_columns >= PLOT_COLUMNS) {
-		l->side = area_cut(&l->plot, EDGE_RIGHT, side_columns);
-		area_cut(&l->plot, EDGE_RIGHT, 1 + gap);
+		l->side = area_cut_off_edge(&l->plot, EDGE_RIGHT, side_columns);
+		area_cut_off_edge(&l->plot, EDGE_RIGHT, 1 + gap);
 		l->wall = l->plot.columns;
 	}
 }
@@ -94,14 +95,14 @@ layout_make(int rows, int columns, struct layout_ask ask)
 	    {site, 5, &l.caption, 1}, {site && !side, 2, &l.numbers, 1},
 	    {columns >= LEGEND_COLUMNS && ask.list_rows == 0, 20, &l.legend,
 		1}};
-	l.header = area_cut(&l.body, EDGE_TOP, rows >= 4 ? 1 : 0);
+	l.header = area_cut_off_edge(&l.body, EDGE_TOP, rows >= 4 ? 1 : 0);
 	for (size_t i = 0; i < ARRAY_LEN(part); i++)
 		if (part[i].wanted && rows >= part[i].least)
 			*part[i].area =
-			    area_cut(&l.body, EDGE_FOOT, part[i].rows);
+			    area_cut_off_edge(&l.body, EDGE_FOOT, part[i].rows);
 	split_off_side_panel(&l, rows, ask.side_columns);
 	if (ask.differences && rows >= DIFFERENCES)
-		l.differences = area_cut(
+		l.differences = area_cut_off_edge(
 		    &l.plot, EDGE_FOOT, 4 + (rows - DIFFERENCES) / EVERY);
 	return l;
 }
@@ -112,9 +113,9 @@ layout_make_for_text(int rows, int columns)
 	enum { FOR_TEXT_HINTS = 3, FOR_TEXT_HEADER = 8 };
 	struct layout l = {.body = {0, 0, rows, columns}};
 	if (rows >= FOR_TEXT_HINTS)
-		l.hints = area_cut(&l.body, EDGE_FOOT, 1);
+		l.hints = area_cut_off_edge(&l.body, EDGE_FOOT, 1);
 	if (rows >= FOR_TEXT_HEADER)
-		l.header = area_cut(&l.body, EDGE_TOP, 1);
+		l.header = area_cut_off_edge(&l.body, EDGE_TOP, 1);
 	return l;
 }
 
@@ -123,13 +124,13 @@ layout_track_area(const struct layout *l)
 {
 	struct area track = l->track;
 	int end = track.columns >= 30 ? l->end_columns : 0;
-	area_cut(&track, EDGE_LEFT, end);
-	area_cut(&track, EDGE_RIGHT, end);
+	area_cut_off_edge(&track, EDGE_LEFT, end);
+	area_cut_off_edge(&track, EDGE_RIGHT, end);
 	return track;
 }
 
 int
-layout_message_rows(const struct layout *l)
+layout_count_message_rows(const struct layout *l)
 {
 	return l->hints.rows + l->status.rows > 0 ? 2 : 1;
 }

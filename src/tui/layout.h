@@ -26,7 +26,7 @@ struct area {
 /* Cuts n rows or columns off an edge of an area, or all if it has fewer, and
  * returns them. */
 enum edge { EDGE_TOP, EDGE_FOOT, EDGE_LEFT, EDGE_RIGHT };
-struct area area_cut(struct area *from, enum edge edge, int n);
+struct area area_cut_off_edge(struct area *from, enum edge edge, int n);
 
 /* body: what the other parts leave between the header and the foot; plot and
  * side are its parts.  wall: the column of the line to the left of side, or -1.
@@ -53,15 +53,15 @@ struct layout layout_make_for_text(int rows, int columns);
 struct area layout_track_area(const struct layout *l);
 
 /* Returns the maximum number of rows for a message. */
-int layout_message_rows(const struct layout *l);
+int layout_count_message_rows(const struct layout *l);
 
 /* True if a cell is in the area. */
 bool area_has_cell(const struct area *area, int row, int column);
 
-/* area_of_row returns a row of an area; area_part_of_row returns some columns
- * of it. */
+/* area_of_row returns a row of an area; area_of_columns_in_row returns some
+ * columns of it. */
 struct area area_of_row(const struct area *area, int row);
-struct area area_part_of_row(
+struct area area_of_columns_in_row(
     const struct area *area, int row, int column, int columns);
 
 #endif

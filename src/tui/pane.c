@@ -34,7 +34,7 @@ pages_go_to(struct tui *t, enum page page)
 	if (t->ui.page != page) {
 		t->filter = (struct edit){0};
 		t->ui.cell.on = false;
-		tui_clear_hits(t);
+		tui_clear_click_areas(t);
 	}
 	t->ui.page = page;
 }
@@ -44,7 +44,7 @@ pages_update(struct tui *t)
 {
 	if (t->picker.on)
 		t->picker.rows->update(t);
-	strip_update(t);
+	response_strip_update(t);
 	if (pages_current(t)->update != NULL)
 		pages_current(t)->update(t);
 }
@@ -66,7 +66,7 @@ on_click_plot(struct tui *t, const struct mouse_event *touched)
 	if (touched->item >= t->n_drawn)
 		return;
 	struct plot_request *request = &t->drawn[touched->item];
-	request->asked.entry = tui_entry_for_prediction(t);
+	request->asked.entry = tui_site_entry_for_prediction(t);
 	if (!plots_find_mark_at_cell(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
@@ -75,7 +75,7 @@ on_click_plot(struct tui *t, const struct mouse_event *touched)
 	if (point != NULL)
 		point(t, request->kind, found.x, found.y);
 	if (found.words != NULL)
-		tui_say(t, false, "%s", found.words);
+		tui_set_message(t, false, "%s", found.words);
 	free(found.words);
 }
 
@@ -89,7 +89,7 @@ pane_draw_plot(
 		return;
 	r.charset = screen_charset();
 	if (r.asked.entry == NULL)
-		r.asked.entry = tui_entry_for_prediction(t);
+		r.asked.entry = tui_site_entry_for_prediction(t);
 	struct canvas *canvas = plots_draw_canvas(
 	    t->session, &r, area->columns, area->rows, &error);
 	if (canvas != NULL) {
@@ -98,7 +98,7 @@ pane_draw_plot(
 		if (request->asked.entry != NULL || t->n_drawn == PLOTS_DRAWN)
 			return;
 		t->drawn[t->n_drawn] = r;
-		hits_add(
+		hits_add_mouse_handler(
 		    &t->hits, HIT_SLIDE, *area, on_click_plot, t->n_drawn++);
 		return;
 	}
@@ -117,14 +117,15 @@ draw_legend_curve_name(const struct tui *t, int column, enum series series,
 	int from = column > 0 ? column + 2 : 0;
 	if (from + text_width_in_columns(text) > area->columns)
 		return column;
-	return screen_draw_series_text(area, 0, from, series, look, text);
+	return screen_draw_text_in_series_colour(
+	    area, 0, from, series, look, text);
 }
 
 /* Names the limits of the envelope in use and its fraction. */
 static void
-draw_legend_limits(const struct tui *t, int column, bool ascii)
+draw_legend_envelope_limits(const struct tui *t, int column, bool ascii)
 {
-	char text[40], *words = session_spec_fraction_text(t->session);
+	char text[40], *words = session_envelope_size_fraction_text(t->session);
 	snprintf(text, sizeof text, "%s %s", ascii ? "@" : "\u2501", words);
 	if (t->session->spec != NULL)
 		column = draw_legend_curve_name(
@@ -139,13 +140,13 @@ draw_legend_limits(const struct tui *t, int column, bool ascii)
 static int
 draw_legend_runs(const struct tui *t, int column, bool *moved)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	const struct site *site = entry->site;
 	char text[64];
 	for (size_t r = 0; r < site->n_run; r++) {
 		bool held_out = !entry->train[r];
 		if (site_run_repeats_speed(site, r) ||
-		    !site_run_is_near_speed(
+		    !site_run_is_among_nearest(
 			site, r, tui_slider_speed(t), SITE_CHART_SPEEDS))
 			continue;
 		struct chart_series look =
@@ -153,7 +154,7 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 		FREED char *sample =
 		    chart_legend_sample(&look, screen_charset());
 		snprintf(text, sizeof text, "%s %g%s", sample,
-		    answers_speed_number(site, site->run[r].speed),
+		    answers_speed_in_sheet_unit(site, site->run[r].speed),
 		    held_out ? tr(" held out") : "");
 		column = draw_legend_curve_name(
 		    t, column, look.series, LOOK_BOLD, text);
@@ -173,14 +174,14 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 static char *
 legend_feed_name(const struct tui *t, bool runs)
 {
-	const struct site *site = tui_site(t);
+	const struct site *site = tui_current_site(t);
 	const char *other = tui_other_feed(t);
 	if (other[0] != '\0')
 		return xstrdup(runs ? tr("feed of the sheet") : other);
 	if (runs || !site->individual_feeds || !(t->ui.feed > 0))
 		return xstrdup(tr("feed"));
 	return xasprintf(
-	    "%s %g", tr("feed"), answers_speed_number(site, t->ui.feed));
+	    "%s %g", tr("feed"), answers_speed_in_sheet_unit(site, t->ui.feed));
 }
 
 /* Names the feed and, if there is room, says that measured products are moved
@@ -206,7 +207,7 @@ draw_legend_feed(
 static void
 pane_draw_legend(const struct tui *t, const struct plot_request *request)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	char text[40], sample[16];
 	int column = 0;
@@ -223,8 +224,8 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		snprintf(sample, sizeof sample, "%s%s%s", line,
 		    dashed ? " " : line, line);
 		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
-		    correction_in_legend(t->session,
-			tui_entry_for_prediction(t), &t->view.shown));
+		    correction_legend_text(t->session,
+			tui_site_entry_for_prediction(t), &t->view.shown));
 		column = draw_legend_curve_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}
@@ -246,7 +247,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 	if (after == column)
 		after = draw_legend_curve_name(t, column, SERIES_BREAK, 0,
 		    ascii ? tr(": break") : tr("\u250A break"));
-	draw_legend_limits(t, after, ascii);
+	draw_legend_envelope_limits(t, after, ascii);
 }
 
 void
@@ -286,7 +287,7 @@ length_of_hint_keys(const char *hint)
 /* Makes the keys at the beginning of a hint react to the mouse: a click on a
  * key presses it; if there is only one, so does a click on its words. */
 static void
-add_hint_click_areas(struct tui *t, int row, int column, const char *hint)
+add_key_hint_click_areas(struct tui *t, int row, int column, const char *hint)
 {
 	int keys = length_of_hint_keys(hint);
 	for (int from = 0, end; from < keys; from = end + 1) {
@@ -295,23 +296,23 @@ add_hint_click_areas(struct tui *t, int row, int column, const char *hint)
 		bool only = from == 0 && end == keys;
 		int code, width = only ? (int)strlen(hint) : end - from;
 		if (keys_code_of_name(name, &code))
-			hits_add_key(&t->hits,
+			hits_add_key_area(&t->hits,
 			    (struct area){row, column + from, 1, width}, code);
 	}
 }
 
 void
-pane_add_hint_clicks(struct tui *t, int row, int column, const char *hints)
+pane_make_hints_clickable(struct tui *t, int row, int column, const char *hints)
 {
 	while (*hints != '\0') {
 		FREED char *hint = keys_next_hint(&hints);
-		add_hint_click_areas(t, row, column, hint);
+		add_key_hint_click_areas(t, row, column, hint);
 		column += text_width_in_columns(hint) + 2;
 	}
 }
 
 void
-pane_hints(struct tui *t, const char *hints)
+pane_draw_key_hints(struct tui *t, const char *hints)
 {
 	const struct area *area = &t->layout.hints;
 	int column = 0;
@@ -322,10 +323,11 @@ pane_hints(struct tui *t, const char *hints)
 		int end = column + text_width_in_columns(hint);
 		if (column > 0 && end > area->columns)
 			return;
-		screen_text(area, 0, column, LOOK_DIM, "%s", hint);
-		screen_text(area, 0, column, LOOK_BOLD, "%.*s",
+		screen_draw_text(area, 0, column, LOOK_DIM, "%s", hint);
+		screen_draw_text(area, 0, column, LOOK_BOLD, "%.*s",
 		    length_of_hint_keys(hint), hint);
-		add_hint_click_areas(t, area->row, area->column + column, hint);
+		add_key_hint_click_areas(
+		    t, area->row, area->column + column, hint);
 		column = end;
 	}
 }
@@ -341,7 +343,7 @@ pane_draw_typed_line(const struct area *area, const char *prompt,
 	free(till);
 	while (before > area->columns - width - 1 && *shown != '\0')
 		before -= text_escape_next_character(&shown, left);
-	screen_text(area, 0, 0, LOOK_BOLD, "%s", prompt);
+	screen_draw_text(area, 0, 0, LOOK_BOLD, "%s", prompt);
 	screen_draw_clipped_text(area, 0, width, SERIES_TEXT, LOOK_BOLD, shown);
 	*from = (size_t)(shown - typing->text);
 	return width + before;
@@ -351,28 +353,29 @@ int
 pane_draw_search_word(struct tui *t, const struct area *area, const char *word,
     const char *found, const char *keys)
 {
-	int at = screen_text(area, 0, 0, LOOK_BOLD, "/%s", word);
+	int at = screen_draw_text(area, 0, 0, LOOK_BOLD, "/%s", word);
 	if (found == NULL)
 		return at;
-	int column = screen_text(area, 0, at + 2, 0, "%s", found) + 2;
+	int column = screen_draw_text(area, 0, at + 2, 0, "%s", found) + 2;
 	if (column + text_width_in_columns(keys) <= area->columns) {
-		screen_text(area, 0, column, LOOK_DIM, "%s", keys);
-		pane_add_hint_clicks(t, area->row, area->column + column, keys);
+		screen_draw_text(area, 0, column, LOOK_DIM, "%s", keys);
+		pane_make_hints_clickable(
+		    t, area->row, area->column + column, keys);
 	}
 	return at;
 }
 
 char *
-pane_curves_plot_name(const struct tui *t)
+pane_curves_plot_arguments(const struct tui *t)
 {
-	char *where = tui_options_at_slider(t),
+	char *where = tui_speed_and_feed_options(t),
 	     *words = xasprintf("psd %s", where);
 	free(where);
 	return words;
 }
 
 int
-pane_draw_lines(const struct area *area, int row, const char *text)
+pane_draw_text_lines(const struct area *area, int row, const char *text)
 {
 	for (unsigned look = LOOK_BOLD; *text != '\0' && row < area->rows;
 	     look = LOOK_PLAIN) {
@@ -385,7 +388,7 @@ pane_draw_lines(const struct area *area, int row, const char *text)
 }
 
 size_t
-pane_clamp_index(size_t at, int by, size_t n)
+pane_move_index_clamped(size_t at, int by, size_t n)
 {
 	long to = (long)at + by;
 	return n == 0 || to < 0 ? 0 : to >= (long)n ? n - 1 : (size_t)to;

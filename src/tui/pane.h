@@ -25,7 +25,7 @@ struct page_list {
 /* The operations of a page, which are defined in its own file.  Those that it
  * does not need are NULL. */
 struct page_ops {
-	/* The row of hints, see keys_hint_row; if hints is NULL, hints_now
+	/* The row of hints, see keys_hint_row_text; if hints is NULL, hints_now
 	 * returns it. */
 	const char *hints;
 	const char *(*hints_now)(const struct tui *t);
@@ -92,18 +92,18 @@ void pane_draw_plot(
 void pane_draw_curves(struct tui *t, struct plot_request *request, bool notes);
 
 /* Returns the name of the curves for `describe`.  The caller frees it. */
-char *pane_curves_plot_name(const struct tui *t);
+char *pane_curves_plot_arguments(const struct tui *t);
 
 /* Returns the body including the row of the legend, which a list does not
  * need. */
 struct area pane_list_area(const struct tui *t);
 
-/* pane_hints draws the row of hints, which are separated by two spaces, up to
- * the first that does not fit.  Each hint begins with the name of its key, or
- * of two, in bold: "Up/Down site".  pane_add_hint_clicks lets a click on a name
- * press that key. */
-void pane_hints(struct tui *t, const char *hints);
-void pane_add_hint_clicks(
+/* pane_draw_key_hints draws the row of hints, which are separated by two
+ * spaces, up to the first that does not fit.  Each hint begins with the name of
+ * its key, or of two, in bold: "Up/Down site".  pane_make_hints_clickable lets
+ * a click on a name press that key. */
+void pane_draw_key_hints(struct tui *t, const char *hints);
+void pane_make_hints_clickable(
     struct tui *t, int row, int column, const char *hints);
 
 /* Draws a line being typed, after its prompt, scrolled to show the cursor.
@@ -120,9 +120,9 @@ int pane_draw_search_word(struct tui *t, const struct area *area,
 
 /* Draws lines of text from a row down, the first in bold.  Returns the row
  * after them. */
-int pane_draw_lines(const struct area *area, int row, const char *text);
+int pane_draw_text_lines(const struct area *area, int row, const char *text);
 
 /* Returns an index in a list of n, moved by `by` and clamped. */
-size_t pane_clamp_index(size_t at, int by, size_t n);
+size_t pane_move_index_clamped(size_t at, int by, size_t n);
 
 #endif

@@ -43,10 +43,10 @@ set_curses_colours(bool colour)
 	use_default_colors();
 	display.depth = COLORS >= 256 ? 256 : COLORS >= 16 ? 16 : 8;
 	for (int i = 0; i < SERIES_COUNT; i++) {
-		int of = palette_colour(
+		int of = palette_colour_of_series(
 		    (enum series)i, display.depth, display.theme);
 		int j = 0;
-		while (palette_colour(
+		while (palette_colour_of_series(
 			   (enum series)j, display.depth, display.theme) != of)
 			j++;
 		display.pair[i] = (short)(j + 1);
@@ -120,7 +120,7 @@ screen_open(bool colour)
 		delscreen(display.screen);
 		return false;
 	}
-	restore_prepare_for_screen();
+	restore_arm_tty_for_screen();
 	display.utf8 = terminal_is_utf8();
 	display.charset =
 	    terminal_has_line_drawing() ? CHARSET_BRAILLE : CHARSET_ASCII;
@@ -181,7 +181,7 @@ screen_last_frame(void)
 }
 
 void
-screen_set_text_only(bool on)
+screen_omit_charts_and_lines(bool on)
 {
 	display.only_text = on;
 }
@@ -285,7 +285,7 @@ screen_begin_frame(int *rows, int *columns)
 }
 
 static void
-screen_put_cell(
+screen_set_cell(
     int row, int column, uint32_t code, unsigned look, enum series series)
 {
 	if (row < 0 || row >= display.rows || column < 0 ||
@@ -301,14 +301,14 @@ screen_draw_clipped_text(const struct area *area, int row, int column,
 {
 	if (row < 0 || row >= area->rows || column < 0)
 		return column;
-	return canvas_put_text_within(display.frame, area->column + column,
+	return canvas_draw_text_within(display.frame, area->column + column,
 		   area->row + row, area->column + area->columns, text, series,
 		   look) -
 	       area->column;
 }
 
 int
-screen_draw_series_text(const struct area *area, int row, int column,
+screen_draw_text_in_series_colour(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text)
 {
 	FREED char *fitted = text_cut_to_width(text, area->columns - column);
@@ -319,7 +319,7 @@ screen_draw_series_text(const struct area *area, int row, int column,
 }
 
 int
-screen_text(const struct area *area, int row, int column, unsigned look,
+screen_draw_text(const struct area *area, int row, int column, unsigned look,
     const char *format, ...)
 {
 	char text[512];
@@ -327,7 +327,7 @@ screen_text(const struct area *area, int row, int column, unsigned look,
 	va_start(ap, format);
 	vsnprintf(text, sizeof text, tr(format), ap);
 	va_end(ap);
-	return screen_draw_series_text(
+	return screen_draw_text_in_series_colour(
 	    area, row, column, SERIES_TEXT, look, text);
 }
 
@@ -342,10 +342,10 @@ screen_draw_wrapped_rows(const struct area *area, int row, int rows,
 		FREED char *part = text_wrapped(line,
 		    area->columns - (cut ? text_width_in_columns(more) : 0));
 		part[strcspn(part, "\n")] = '\0';
-		int end = screen_draw_series_text(
+		int end = screen_draw_text_in_series_colour(
 		    area, row, 0, SERIES_TEXT, look, part);
 		if (cut)
-			screen_draw_series_text(
+			screen_draw_text_in_series_colour(
 			    area, row, end, SERIES_TEXT, look, more);
 		row++;
 	}
@@ -365,16 +365,16 @@ void
 screen_clear_area(const struct area *area)
 {
 	for (int row = 0; row < area->rows; row++)
-		screen_text(area, row, 0, 0, "%*s", area->columns, "");
+		screen_draw_text(area, row, 0, 0, "%*s", area->columns, "");
 }
 
 void
-screen_draw_rule(const struct area *area)
+screen_draw_horizontal_rule(const struct area *area)
 {
 	bool lines = display.charset != CHARSET_ASCII;
 	for (int c = 0;
 	     c < area->columns && area->rows > 0 && !display.only_text; c++)
-		screen_put_cell(area->row, area->column + c,
+		screen_set_cell(area->row, area->column + c,
 		    lines ? 0x2500 : '-', LOOK_DIM, SERIES_TEXT);
 }
 
@@ -383,7 +383,7 @@ screen_draw_vertical_rule(int row, int column, int rows)
 {
 	bool lines = display.charset != CHARSET_ASCII;
 	for (int r = 0; r < rows && !display.only_text; r++)
-		screen_put_cell(row + r, column, lines ? 0x2502 : '|', LOOK_DIM,
+		screen_set_cell(row + r, column, lines ? 0x2502 : '|', LOOK_DIM,
 		    SERIES_TEXT);
 }
 
@@ -397,7 +397,7 @@ screen_draw_canvas(const struct area *area, const struct canvas *canvas)
 			const struct canvas_cell *at =
 			    &canvas->cell[r * canvas->columns + c];
 			if (at->code != 0)
-				screen_put_cell(area->row + r, area->column + c,
+				screen_set_cell(area->row + r, area->column + c,
 				    at->code, at->attribute,
 				    (enum series)at->series);
 		}
@@ -406,13 +406,14 @@ screen_draw_canvas(const struct area *area, const struct canvas *canvas)
 /* Returns the attributes of a cell.  With eight colours, bright ones are
  * bold. */
 static attr_t
-curses_attributes(const struct canvas_cell *cell)
+curses_attributes_of_cell(const struct canvas_cell *cell)
 {
 	unsigned look = cell->attribute;
 	enum series series = (enum series)cell->series;
-	bool faint = canvas_is_faint(display.frame, cell, display.depth);
-	bool bright = display.depth == 8 &&
-		      palette_colour(series, display.depth, display.theme) >= 8;
+	bool faint = canvas_is_cell_faint(display.frame, cell, display.depth);
+	bool bright =
+	    display.depth == 8 &&
+	    palette_colour_of_series(series, display.depth, display.theme) >= 8;
 	return ((look & LOOK_BOLD) || bright ? A_BOLD : 0) |
 	       (faint ? A_DIM : 0) | ((look & LOOK_REVERSE) ? A_REVERSE : 0);
 }
@@ -423,7 +424,7 @@ static wchar_t
 letter_without_accent(uint32_t code)
 {
 	char letter[5], *folded = text_fold_case_and_accents(
-			    canvas_encode_utf8(code, letter));
+			    canvas_encode_code_point(code, letter));
 	char bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : '?';
 	bool capital = code >= 0xC0 && code < 0xDF && bare >= 'a';
 	free(folded);
@@ -444,7 +445,7 @@ add_cell_to_curses(int row, int column)
 		return;
 	if (!display.utf8 && from->code > 126)
 		text[0] = letter_without_accent(from->code);
-	setcchar(&cell, text, curses_attributes(from),
+	setcchar(&cell, text, curses_attributes_of_cell(from),
 	    display.pair[from->series], NULL);
 	mvadd_wch(row, column, &cell);
 }

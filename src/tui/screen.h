@@ -36,7 +36,7 @@ struct canvas *screen_end_offscreen(struct display *was);
 
 /* If `on`, leaves charts and lines between areas out of offscreen frames, for a
  * screen reader. */
-void screen_set_text_only(bool on);
+void screen_omit_charts_and_lines(bool on);
 
 /* Returns the last frame, which the screen owns, or NULL.  For tests. */
 const struct canvas *screen_last_frame(void);
@@ -71,15 +71,16 @@ void screen_begin_frame(int *rows, int *columns);
 /* Draws UTF-8 text from a cell of an area, shortened (text_cut_to_width) if it
  * would cross the right edge; draws nothing below the last row.  Returns the
  * column after the text, within the area. */
-int screen_text(const struct area *area, int row, int column, unsigned look,
-    const char *format, ...) __attribute__((format(printf, 5, 6)));
+int screen_draw_text(const struct area *area, int row, int column,
+    unsigned look, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
 
-/* As screen_text, in the colour of a series. */
-int screen_draw_series_text(const struct area *area, int row, int column,
-    enum series series, unsigned look, const char *text);
+/* As screen_draw_text, in the colour of a series. */
+int screen_draw_text_in_series_colour(const struct area *area, int row,
+    int column, enum series series, unsigned look, const char *text);
 
-/* As screen_draw_series_text, for the visible part of a text that continues
- * beyond the edge. */
+/* As screen_draw_text_in_series_colour, for the visible part of a text that
+ * continues beyond the edge. */
 int screen_draw_clipped_text(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
@@ -96,9 +97,9 @@ int screen_draw_wrapped_rows(const struct area *area, int row, int rows,
 /* Clears the area. */
 void screen_clear_area(const struct area *area);
 
-/* screen_draw_rule draws a line along the first row of an area;
+/* screen_draw_horizontal_rule draws a line along the first row of an area;
  * screen_draw_vertical_rule draws one down a column. */
-void screen_draw_rule(const struct area *area);
+void screen_draw_horizontal_rule(const struct area *area);
 void screen_draw_vertical_rule(int row, int column, int rows);
 
 /* Draws a canvas at the top left of an area, which must be at least as

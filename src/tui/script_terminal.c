@@ -64,7 +64,7 @@ const struct tui_callbacks SCRIPT_CALLBACKS = {.answer = answer_with_next_key};
 
 /* Returns true for a word that is typed: into a line, or a speed. */
 static bool
-is_typed_word(const struct tui *t, const char *word)
+is_word_typed_as_text(const struct tui *t, const char *word)
 {
 	return keymap_is_typed_as_text(t, (unsigned char)word[0]) ||
 	       word[strspn(word, "0123456789.")] == '\0';
@@ -73,7 +73,7 @@ is_typed_word(const struct tui *t, const char *word)
 /* Removes a count such as "*5" from the end of a word.  Returns how often the
  * key is to be pressed. */
 static long
-parse_repeat_count(char *word)
+parse_key_repeat_count(char *word)
 {
 	char *sign = strrchr(word, '*'), *end;
 	if (sign == NULL || sign == word || sign[1] < '0' || sign[1] > '9')
@@ -88,7 +88,8 @@ parse_repeat_count(char *word)
 /* Counts the keys pressed and limits them, because each draws a frame and may
  * need a prediction. */
 static bool
-count_pressed_keys(const char *word, long n, long *pressed, struct error *error)
+count_and_limit_pressed_keys(
+    const char *word, long n, long *pressed, struct error *error)
 {
 	enum { MOST = 9999 };
 	if (n <= MOST - *pressed) {
@@ -106,24 +107,25 @@ press_keys_of_word(
     struct tui *t, char *word, long *pressed, struct error *error)
 {
 	int code;
-	long n = is_typed_word(t, word) ? 1 : parse_repeat_count(word);
+	long n =
+	    is_word_typed_as_text(t, word) ? 1 : parse_key_repeat_count(word);
 	if (strcmp(word, "^Z") == 0) {
 		error_set(error, ERROR_USAGE,
 		    "^Z needs a shell, and there is none here");
-		return error_hint(error, "leave it out");
+		return error_set_hint(error, "leave it out");
 	}
 	bool key = keys_code_of_name(word, &code);
-	if (!count_pressed_keys(
+	if (!count_and_limit_pressed_keys(
 		word, key ? n : text_width_in_columns(word), pressed, error))
 		return false;
 	if (key) {
-		for (; n > 0 && !t->leave && signals_pending() == 0; n--)
+		for (; n > 0 && !t->leave && signals_get_recorded() == 0; n--)
 			press_key_in_script(t, code, code > 255);
 		return true;
 	}
-	if (!is_typed_word(t, word)) {
+	if (!is_word_typed_as_text(t, word)) {
 		error_set(error, ERROR_USAGE, "there is no key '%s'", word);
-		return error_hint(error,
+		return error_set_hint(error,
 		    "use the names of tipspeed-tui(1), separated by "
 		    "spaces: keys=\"Left Space c\"");
 	}
@@ -135,7 +137,7 @@ press_keys_of_word(
 }
 
 static bool
-press_all_keys(struct tui *t, const char *keys, struct error *error)
+press_keys_of_script(struct tui *t, const char *keys, struct error *error)
 {
 	FREED char *copy = xstrdup(keys);
 	bool ok = true;
@@ -145,7 +147,7 @@ press_all_keys(struct tui *t, const char *keys, struct error *error)
 	     ok && word != NULL && !t->leave && !t->session->quit;
 	     word = strtok_r(NULL, " ", &keys_left)) {
 		ok = press_keys_of_word(t, word, &pressed, error);
-		if (ok && signals_pending() != 0)
+		if (ok && signals_get_recorded() != 0)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
 	}
@@ -155,12 +157,12 @@ press_all_keys(struct tui *t, const char *keys, struct error *error)
 
 /* Returns what `describe` calls the plot of the page, or NULL. */
 static char *
-plot_name_of_page(const struct tui *t)
+plot_arguments_of_page(const struct tui *t)
 {
 	char *(*words)(const struct tui *) = pages_current(t)->words;
 	return t->n_drawn == 0 ? NULL
 	       : words != NULL ? words(t)
-			       : pane_curves_plot_name(t);
+			       : pane_curves_plot_arguments(t);
 }
 
 /* Draws the open screen and leaves it as it was.  During a script, it is
@@ -171,7 +173,7 @@ draw_open_screen(struct screen_request *request, struct error *error)
 	if (request->keys[0] != '\0') {
 		error_set(error, ERROR_USAGE,
 		    "keys= is for use outside full-screen mode");
-		return error_hint(
+		return error_set_hint(
 		    error, "press the keys here, then type :screen");
 	}
 	struct tui *t = control_current_screen();
@@ -180,14 +182,14 @@ draw_open_screen(struct screen_request *request, struct error *error)
 	t->aside = true;
 	t->picker.on = false;
 	if (stale) {
-		control_update_state(t);
+		control_discard_outdated_state(t);
 		view_predict_unrecorded(t);
 	}
 	if (request->page > 0)
 		pages_go_to(t, (enum page)(request->page - 1));
 	pages_update(t);
 	frame_draw(t);
-	tui_clear_hits(t);
+	tui_clear_click_areas(t);
 	t->aside = was.aside;
 	t->picker.on = was.picker.on;
 	t->ui = was.ui;
@@ -199,7 +201,7 @@ draw_open_screen(struct screen_request *request, struct error *error)
 }
 
 static bool
-draw_new_screen(
+draw_temporary_screen(
     struct session *s, struct screen_request *request, struct error *error)
 {
 	struct tui t;
@@ -213,9 +215,9 @@ draw_new_screen(
 		pages_update(&t);
 		frame_draw(&t);
 	}
-	bool ok = press_all_keys(&t, request->keys, error);
+	bool ok = press_keys_of_script(&t, request->keys, error);
 	if (ok && request->words && t.viewer.text == NULL)
-		request->picture = plot_name_of_page(&t);
+		request->picture = plot_arguments_of_page(&t);
 	/* While output is still captured: what a search prints when it ends is
 	 * not part of the picture. */
 	tui_stop_fit(&t);
@@ -240,9 +242,9 @@ script_draw_screen(
 		r.colours = screen_colour_count();
 	struct display *was =
 	    screen_begin_offscreen(r.rows, r.columns, r.charset, r.colours);
-	screen_set_text_only(r.words);
-	bool ok =
-	    open ? draw_open_screen(&r, error) : draw_new_screen(s, &r, error);
+	screen_omit_charts_and_lines(r.words);
+	bool ok = open ? draw_open_screen(&r, error)
+		       : draw_temporary_screen(s, &r, error);
 	struct canvas *canvas = screen_end_offscreen(was);
 	request->picture = r.picture;
 	if (ok)

@@ -35,37 +35,37 @@ static const double PASTE_PAUSE = 2;
  * part of the strip, a held key or the end of pasted text.  INFINITY: until
  * something happens. */
 static double
-seconds_to_wait(const struct tui *t)
+seconds_until_next_due(const struct tui *t)
 {
 	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
 	bool asks = t->question != NULL || t->inquiry != NULL;
 	if (!asks && session_is_calibrating(t->session) && !t->held)
 		left = t->ui.pace == PACE_FULL
 			   ? 0
-			   : fmin(left, t->due - session_clock());
+			   : fmin(left, t->due - session_clock_seconds());
 	if (!asks)
-		left = fmin(
-		    left, fmin(strip_seconds_to_wait(t), word_delay_left_s(t)));
+		left = fmin(left, fmin(strip_seconds_to_wait(t),
+				      word_key_delay_seconds_left(t)));
 	return left > 0 && !t->put_back.is ? left : 0;
 }
 
 /* Leaves the terminal to another program.  ^Z then stops that too, because the
  * shell waits for both. */
 static void
-leave_screen(struct tui *t)
+release_terminal(struct tui *t)
 {
 	t->away = true;
 	screen_suspend_curses();
-	signals_record_suspend(false);
+	signals_set_suspend_handler(false);
 	signals_unblock();
 }
 
 static void
-return_to_screen(struct tui *t)
+reclaim_terminal(struct tui *t)
 {
 	signals_block();
-	signals_record_suspend(true);
-	signals_forget_interrupt();
+	signals_set_suspend_handler(true);
+	signals_clear_interrupt();
 	screen_resume_curses();
 	t->away = false;
 }
@@ -73,12 +73,12 @@ return_to_screen(struct tui *t)
 static void
 suspend_program(struct tui *t)
 {
-	double left = session_clock();
+	double left = session_clock_seconds();
 	screen_suspend_curses();
 	signals_suspend_program();
-	signals_forget_interrupt();
+	signals_clear_interrupt();
 	screen_resume_curses();
-	t->started += session_clock() - left;
+	t->started += session_clock_seconds() - left;
 }
 
 /* Handles everything typed and dragged so far, so that only the newest speed is
@@ -88,15 +88,15 @@ handle_typed_keys(struct tui *t)
 {
 	int code;
 	bool special;
-	while (!t->leave && !t->session->quit && signals_pending() == 0 &&
-	       input_next_key(t, &code, &special)) {
+	while (!t->leave && !t->session->quit && signals_get_recorded() == 0 &&
+	       input_read_next_key(t, &code, &special)) {
 		keymap_handle_key(t, code, special);
 		signals_deliver_blocked();
 	}
-	if (word_delay_left_s(t) <= 0)
+	if (word_key_delay_seconds_left(t) <= 0)
 		keymap_run_delayed_key(t);
 	/* The end mark of the paste never came: what is typed is keys again. */
-	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
+	if (t->paste.on && session_clock_seconds() - t->pasted >= PASTE_PAUSE)
 		input_end_paste(t);
 }
 
@@ -115,11 +115,11 @@ end_if_terminal_is_gone(void)
 
 /* Draws a frame and waits until something happens. */
 static void
-draw_and_wait(struct tui *t)
+draw_and_wait_for_input(struct tui *t)
 {
 	frame_draw(t);
-	signals_watch_keys(false);
-	signals_wait_for_input(seconds_to_wait(t));
+	signals_set_stop_on_key(false);
+	signals_wait_for_input(seconds_until_next_due(t));
 	end_if_terminal_is_gone();
 	int news = signals_take_terminal_events();
 	if (news & SIGNALS_STOP) {
@@ -135,11 +135,11 @@ static bool
 wait_for_answer_key(struct tui *t, int *code, bool *special)
 {
 	bool done = false;
-	while (!done && signals_pending() == 0) {
-		draw_and_wait(t);
-		done = input_next_key(t, code, special);
+	while (!done && signals_get_recorded() == 0) {
+		draw_and_wait_for_input(t);
+		done = input_read_next_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
-			keymap_handle_answer_mouse(t);
+			keymap_handle_question_mouse(t);
 			done = false;
 		} else if (done && !*special && *code == SUSPEND) {
 			done = false;
@@ -157,7 +157,7 @@ is_stop_key_pressed(struct tui *t)
 	int code;
 	bool special, stops = false;
 	signals_deliver_blocked();
-	while (input_next_key(t, &code, &special))
+	while (input_read_next_key(t, &code, &special))
 		stops = stops ||
 			(!special && (code == ESCAPE || code == INTERRUPT));
 	return stops;
@@ -166,16 +166,16 @@ is_stop_key_pressed(struct tui *t)
 static void
 run_screen_loop(struct tui *t)
 {
-	while (!t->leave && !t->session->quit && signals_pending() == 0) {
-		t->clock = session_clock();
-		signals_watch_keys(true);
+	while (!t->leave && !t->session->quit && signals_get_recorded() == 0) {
+		t->clock = session_clock_seconds();
+		signals_set_stop_on_key(true);
 		view_update(t);
-		draw_and_wait(t);
-		t->clock = session_clock();
+		draw_and_wait_for_input(t);
+		t->clock = session_clock_seconds();
 		handle_typed_keys(t);
-		signals_watch_keys(true);
+		signals_set_stop_on_key(true);
 		watch_run_due_fit_steps(t);
-		signals_watch_keys(false);
+		signals_set_stop_on_key(false);
 	}
 }
 
@@ -183,9 +183,9 @@ run_screen_loop(struct tui *t)
 static bool
 show_manual_page(const char *page)
 {
-	leave_screen(control_current_screen());
+	release_terminal(control_current_screen());
 	bool shown = manpage_show(page);
-	return_to_screen(control_current_screen());
+	reclaim_terminal(control_current_screen());
 	return shown;
 }
 
@@ -193,7 +193,8 @@ int
 tui_run(struct session *s)
 {
 	static const struct tui_callbacks ON_TERMINAL = {wait_for_answer_key,
-	    frame_draw, leave_screen, return_to_screen, is_stop_key_pressed};
+	    frame_draw, release_terminal, reclaim_terminal,
+	    is_stop_key_pressed};
 	struct sigaction was[3];
 	struct tui t;
 	bool history = typed_history_is_open();
@@ -201,7 +202,7 @@ tui_run(struct session *s)
 	 * be kept. */
 	if (!history)
 		typed_history_open(!s->safe);
-	restore_record_settings();
+	terminal_record_settings();
 	signals_block();
 	signals_catch_terminal(was);
 	bool opened = screen_open(terminal_has_colour());
@@ -210,22 +211,23 @@ tui_run(struct session *s)
 		s->hooks.show_manual_page = show_manual_page;
 		FREED char *offer = autosave_begin(s);
 		if (offer != NULL)
-			tui_say(&t, false, "%s", offer);
+			tui_set_message(&t, false, "%s", offer);
 		run_screen_loop(&t);
 		const char *stopped = tui_stop_fit(&t);
 		control_close_screen(&t);
 		screen_close();
-		restore_cancel();
+		restore_disarm_tty();
 		if (stopped[0] != '\0')
-			session_note(s, "%s", stopped);
+			session_print_note(s, "%s", stopped);
 	}
-	signals_release_terminal(was);
+	signals_uncatch_terminal(was);
 	signals_unblock();
 	if (!history)
 		typed_history_close();
 	if (!opened) {
-		session_note(s, "this terminal cannot show full-screen mode: "
-				"check TERM, or use 'predict' without it");
+		session_print_note(s,
+		    "this terminal cannot show full-screen mode: "
+		    "check TERM, or use 'predict' without it");
 		return ERROR_SYSTEM;
 	}
 	return signals_exit_status();

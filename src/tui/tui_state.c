@@ -20,36 +20,36 @@ const double NUMBERS_SIEVE[NUMBERS_FRACTIONS] = {0.063e-3, 2e-3, 4e-3};
 const double PACES[PACE_COUNT] = {0, 1, 2, 5, 10, 20, 50, INFINITY};
 
 const struct entry *
-tui_current_entry(const struct tui *t)
+tui_current_site_entry(const struct tui *t)
 {
 	const struct session *s = t->session;
 	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
 }
 
 const struct site *
-tui_site(const struct tui *t)
+tui_current_site(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	return entry != NULL ? entry->site : NULL;
 }
 
 double
-tui_known_rotor(const struct tui *t)
+tui_rotor_diameter(const struct tui *t)
 {
-	return tui_site(t) != NULL ? tui_site(t)->rotor : 0;
+	return tui_current_site(t) != NULL ? tui_current_site(t)->rotor : 0;
 }
 
 const struct entry *
-tui_entry_for_prediction(const struct tui *t)
+tui_site_entry_for_prediction(const struct tui *t)
 {
-	return t->ui.feed > 0 ? tui_current_entry(t)
+	return t->ui.feed > 0 ? tui_current_site_entry(t)
 			      : question_site_with_feed_setting(t->session);
 }
 
 const char *
 tui_why_no_prediction(const struct tui *t)
 {
-	return tui_current_entry(t) == NULL
+	return tui_current_site_entry(t) == NULL
 		   ? TUI_NO_SITE
 		   : tr("no prediction yet: f calibrates");
 }
@@ -57,7 +57,7 @@ tui_why_no_prediction(const struct tui *t)
 struct slider_range
 tui_slider_range(const struct tui *t)
 {
-	const struct site *site = tui_site(t);
+	const struct site *site = tui_current_site(t);
 	double from, to;
 	settings_default_speed_range(&t->session->set, site, &from, &to);
 	return slider_range(
@@ -65,29 +65,30 @@ tui_slider_range(const struct tui *t)
 }
 
 void
-tui_move_slider_to(struct tui *t, double speed)
+tui_set_slider_speed(struct tui *t, double speed)
 {
 	t->ui.speed = speed;
 }
 
 void
-tui_step_slider_to(struct tui *t, int position)
+tui_set_slider_position(struct tui *t, int position)
 {
 	struct slider_range range = tui_slider_range(t);
-	position = slider_clamp(range, position);
-	t->ui.speed = slider_speed(range, position);
-	if (!(tui_known_rotor(t) > 0))
+	position = slider_clamped_position(range, position);
+	t->ui.speed = slider_speed_of_position(range, position);
+	if (!(tui_rotor_diameter(t) > 0))
 		return;
-	const struct site *site = tui_site(t);
+	const struct site *site = tui_current_site(t);
 	for (size_t r = site->n_run; r-- > 0;)
-		if (slider_position(range, site->run[r].speed) == position)
+		if (slider_position_of_speed(range, site->run[r].speed) ==
+		    position)
 			t->ui.speed = site->run[r].speed;
 }
 
 int
 tui_slider_position(const struct tui *t)
 {
-	return slider_position(tui_slider_range(t), t->ui.speed);
+	return slider_position_of_speed(tui_slider_range(t), t->ui.speed);
 }
 
 const struct site *
@@ -104,15 +105,15 @@ double
 tui_slider_speed(const struct tui *t)
 {
 	struct slider_range range = tui_slider_range(t);
-	return tui_known_rotor(t) > 0 && slider_has_speed(range, t->ui.speed)
+	return tui_rotor_diameter(t) > 0 && slider_has_speed(range, t->ui.speed)
 		   ? round(100 * t->ui.speed) / 100
-		   : slider_speed(range, tui_slider_position(t));
+		   : slider_speed_of_position(range, tui_slider_position(t));
 }
 
 size_t
-tui_feed_run(const struct tui *t)
+tui_run_index_of_feed(const struct tui *t)
 {
-	const struct entry *entry = tui_entry_for_prediction(t);
+	const struct entry *entry = tui_site_entry_for_prediction(t);
 	return entry != NULL
 		   ? feed_run_at_speed_or_mean(entry->site, t->ui.feed)
 		   : SITE_MEAN_FEED;
@@ -122,13 +123,13 @@ const struct psd *
 tui_feed_curve(const struct tui *t)
 {
 	return site_feed_of_run(
-	    tui_entry_for_prediction(t)->site, tui_feed_run(t));
+	    tui_site_entry_for_prediction(t)->site, tui_run_index_of_feed(t));
 }
 
 const char *
 tui_other_feed(const struct tui *t)
 {
-	return tui_entry_for_prediction(t)->site->with;
+	return tui_site_entry_for_prediction(t)->site->with;
 }
 
 /* Returns the parameters by which measured products are moved to the feed, or
@@ -137,7 +138,7 @@ tui_other_feed(const struct tui *t)
 static const struct params *
 params_to_move_products(const struct tui *t, struct params *room)
 {
-	const struct entry *entry = tui_entry_for_prediction(t);
+	const struct entry *entry = tui_site_entry_for_prediction(t);
 	*room = entry->params;
 	return answers_best_params_so_far(t->session, entry, room) ||
 		       entry->has_params
@@ -146,26 +147,29 @@ params_to_move_products(const struct tui *t, struct params *room)
 }
 
 const struct psd *
-tui_measured_product(const struct tui *t, size_t run)
+tui_product_adjusted_to_feed(const struct tui *t, size_t run)
 {
 	struct params room;
-	return product_moved_to_feed(t->session, tui_entry_for_prediction(t),
-	    params_to_move_products(t, &room), run, tui_feed_run(t));
+	return measured_product_moved_to_feed(t->session,
+	    tui_site_entry_for_prediction(t), params_to_move_products(t, &room),
+	    run, tui_run_index_of_feed(t));
 }
 
 bool
 tui_is_product_moved_to_feed(const struct tui *t, size_t run)
 {
 	struct params room;
-	return largest_move_to_feed(t->session, tui_entry_for_prediction(t),
+	return largest_change_by_moving_to_feed(t->session,
+		   tui_site_entry_for_prediction(t),
 		   params_to_move_products(t, &room), run,
-		   tui_feed_run(t)) > MOVED_MENTIONED;
+		   tui_run_index_of_feed(t)) > MOVED_MENTIONED;
 }
 
 void
 tui_set_feed_from_answer(struct tui *t)
 {
-	double feed = session_answer_number(t->session, "predict", "feed_mps");
+	double feed =
+	    session_number_in_last_answer(t->session, "predict", "feed_mps");
 	if (isfinite(feed))
 		t->ui.feed = feed;
 	else
@@ -180,19 +184,21 @@ tui_set_feed_from_setting(struct tui *t)
 }
 
 char *
-tui_options_at_slider(const struct tui *t)
+tui_speed_and_feed_options(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	double speed = tui_slider_speed(t);
 	bool tenth = speed == round(10 * speed) / 10;
 	struct slider_range range = tui_slider_range(t);
 	int position = tui_slider_position(t);
-	bool turns = range.rotor > 0 && speed == slider_speed(range, position);
+	bool turns = range.rotor > 0 &&
+		     speed == slider_speed_of_position(range, position);
 	FREED char *at =
 	    turns ? xasprintf("speed=%drpm", position)
 		  : xasprintf(tenth ? "speed=%.1f" : "speed=%g", speed);
 	/* True if `set feed` names a sheet that cannot be read. */
-	bool mean = !(t->ui.feed > 0) && tui_entry_for_prediction(t) == entry &&
+	bool mean = !(t->ui.feed > 0) &&
+		    tui_site_entry_for_prediction(t) == entry &&
 		    t->session->set.feed[0] != '\0' &&
 		    strcmp(t->session->set.feed, "mean") != 0;
 	if (entry == NULL || mean || !entry->site->individual_feeds ||
@@ -204,29 +210,30 @@ tui_options_at_slider(const struct tui *t)
 char *
 tui_command_at_slider(const struct tui *t)
 {
-	FREED char *where = tui_options_at_slider(t);
+	FREED char *where = tui_speed_and_feed_options(t);
 	return t->view.pinned.site[0] != '\0'
 		   ? xasprintf("compare pinned %s", where + strlen("speed="))
 		   : xasprintf("predict %s", where);
 }
 
 struct search_shown
-tui_search_shown(const struct tui *t)
+tui_calibration_history(const struct tui *t)
 {
-	return tui_current_entry(t) != NULL
-		   ? search_shown_of_site(t->session, tui_current_entry(t))
+	return tui_current_site_entry(t) != NULL
+		   ? search_of_site_to_show(
+			 t->session, tui_current_site_entry(t))
 		   : (struct search_shown){0};
 }
 
 size_t
 tui_count_generations(const struct tui *t)
 {
-	struct search_shown past = tui_search_shown(t);
+	struct search_shown past = tui_calibration_history(t);
 	return past.n + (past.n > 0 && past.polished);
 }
 
 size_t
-tui_generation_shown(const struct tui *t)
+tui_shown_generation_number(const struct tui *t)
 {
 	size_t n = tui_count_generations(t);
 	return t->ui.generation > 0 && t->ui.generation < n ? t->ui.generation
@@ -240,28 +247,29 @@ tui_show_generation(struct tui *t, size_t step)
 }
 
 size_t
-tui_generation_without_polish(const struct tui *t)
+tui_shown_unpolished_generation(const struct tui *t)
 {
-	size_t n = tui_search_shown(t).n, step = tui_generation_shown(t);
+	size_t n = tui_calibration_history(t).n,
+	       step = tui_shown_generation_number(t);
 	return step < n ? step : n;
 }
 
 double
-tui_search_seconds(const struct tui *t)
+tui_calibration_seconds(const struct tui *t)
 {
 	return t->ran + (t->held ? 0 : t->clock - t->started);
 }
 
 void
-tui_clear_hits(struct tui *t)
+tui_clear_click_areas(struct tui *t)
 {
-	hits_clear(&t->hits);
+	hits_clear_click_areas(&t->hits);
 	hits_end_drag(&t->hits);
 	t->n_drawn = 0;
 }
 
 void
-tui_forget_sheet(struct sheet *sheet)
+tui_free_sheet(struct sheet *sheet)
 {
 	free(sheet->sieve);
 	free(sheet->column);
@@ -270,7 +278,7 @@ tui_forget_sheet(struct sheet *sheet)
 }
 
 void
-tui_forget_parity(struct parity *parity)
+tui_free_parity(struct parity *parity)
 {
 	trials_clear(&parity->runs);
 	chart_free(parity->chart);
@@ -278,7 +286,7 @@ tui_forget_parity(struct parity *parity)
 }
 
 void
-tui_say(struct tui *t, bool bad, const char *format, ...)
+tui_set_message(struct tui *t, bool bad, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);

@@ -300,7 +300,7 @@ struct tui {
 	struct {
 		bool is, special;
 		int code;
-	} put_back;     /* key that input_next_key returns next */
+	} put_back;     /* key that input_read_next_key returns next */
 	FILE *captured; /* output of commands */
 	char *captured_text;
 	size_t captured_n;
@@ -326,34 +326,34 @@ enum {
 extern const double PACES[PACE_COUNT];
 
 /* Returns the search for the current site's parameters, see plots_search.h. */
-struct search_shown tui_search_shown(const struct tui *t);
+struct search_shown tui_calibration_history(const struct tui *t);
 
 /* Steps of the search: its generations, and one for the polish if that found a
  * better candidate.  tui_count_generations returns their number;
- * tui_generation_shown the one shown, 1..; tui_show_generation shows one, or
- * follows a running search if given its last. */
+ * tui_shown_generation_number the one shown, 1..; tui_show_generation shows
+ * one, or follows a running search if given its last. */
 size_t tui_count_generations(const struct tui *t);
-size_t tui_generation_shown(const struct tui *t);
+size_t tui_shown_generation_number(const struct tui *t);
 void tui_show_generation(struct tui *t, size_t step);
 
 /* Returns the generation shown, 1..n; during the polish, the last. */
-size_t tui_generation_without_polish(const struct tui *t);
+size_t tui_shown_unpolished_generation(const struct tui *t);
 
 /* Returns how long the current search has run, s, without pauses. */
-double tui_search_seconds(const struct tui *t);
+double tui_calibration_seconds(const struct tui *t);
 
 /* Returns the entry of the current site, or NULL. */
-const struct entry *tui_current_entry(const struct tui *t);
+const struct entry *tui_current_site_entry(const struct tui *t);
 
-/* tui_site returns the current site, or NULL; tui_known_rotor returns the
- * diameter of its rotor, m, or 0 if it is not known. */
-const struct site *tui_site(const struct tui *t);
-double tui_known_rotor(const struct tui *t);
+/* tui_current_site returns the current site, or NULL; tui_rotor_diameter
+ * returns the diameter of its rotor, m, or 0 if it is not known. */
+const struct site *tui_current_site(const struct tui *t);
+double tui_rotor_diameter(const struct tui *t);
 
 /* Returns the entry that the slider's predictions use, or NULL: the current
  * site or, if `set feed` is a sheet and no run's feed is used, a copy of it
  * with that feed. */
-const struct entry *tui_entry_for_prediction(const struct tui *t);
+const struct entry *tui_site_entry_for_prediction(const struct tui *t);
 
 /* TUI_NO_SITE says what to do if no site is loaded; tui_why_no_prediction
  * returns why there is no prediction. */
@@ -363,12 +363,13 @@ const char *tui_why_no_prediction(const struct tui *t);
 /* Returns the range of the slider for the site. */
 struct slider_range tui_slider_range(const struct tui *t);
 
-/* tui_move_slider_to moves the slider to a speed, m/s.  tui_step_slider_to
- * moves it to a position or, if the rotor is known, to the exact speed of a run
- * at that position.  tui_slider_speed returns its speed, m/s: that of its
- * position or, if the rotor is known, the one it was moved to. */
-void tui_move_slider_to(struct tui *t, double speed);
-void tui_step_slider_to(struct tui *t, int position);
+/* tui_set_slider_speed moves the slider to a speed, m/s.
+ * tui_set_slider_position moves it to a position or, if the rotor is known, to
+ * the exact speed of a run at that position.  tui_slider_speed returns its
+ * speed, m/s: that of its position or, if the rotor is known, the one it was
+ * moved to. */
+void tui_set_slider_speed(struct tui *t, double speed);
+void tui_set_slider_position(struct tui *t, int position);
 double tui_slider_speed(const struct tui *t);
 int tui_slider_position(const struct tui *t);
 
@@ -376,11 +377,12 @@ int tui_slider_position(const struct tui *t);
 const struct site *tui_pinned_site(const struct tui *t);
 
 /* The feed for the slider's predictions is the same at all speeds, so that only
- * the speed changes them.  tui_feed_run returns the run that it is from: that
- * of the last prediction if it used a run's feed, or else that of `set feed`;
- * for a sheet, see tui_entry_for_prediction.  tui_feed_curve returns its curve.
- * The others set it by the last prediction, or by `set feed`. */
-size_t tui_feed_run(const struct tui *t);
+ * the speed changes them.  tui_run_index_of_feed returns the run that it is
+ * from: that of the last prediction if it used a run's feed, or else that of
+ * `set feed`; for a sheet, see tui_site_entry_for_prediction.  tui_feed_curve
+ * returns its curve. The others set it by the last prediction, or by `set
+ * feed`. */
+size_t tui_run_index_of_feed(const struct tui *t);
 const struct psd *tui_feed_curve(const struct tui *t);
 void tui_set_feed_from_answer(struct tui *t);
 void tui_set_feed_from_setting(struct tui *t);
@@ -390,8 +392,8 @@ void tui_set_feed_from_setting(struct tui *t);
 const char *tui_other_feed(const struct tui *t);
 
 /* Returns the measured product of a run as shown with the prediction, see
- * product_moved_to_feed. */
-const struct psd *tui_measured_product(const struct tui *t, size_t run);
+ * measured_product_moved_to_feed. */
+const struct psd *tui_product_adjusted_to_feed(const struct tui *t, size_t run);
 
 /* True if the product was moved far enough that the page must say so. */
 bool tui_is_product_moved_to_feed(const struct tui *t, size_t run);
@@ -399,7 +401,7 @@ bool tui_is_product_moved_to_feed(const struct tui *t, size_t run);
 /* Returns the slider's speed as options of predict, "speed=77.0 feed=74" or
  * "speed=1650rpm", with the feed if predict would otherwise use another.  The
  * caller frees it. */
-char *tui_options_at_slider(const struct tui *t);
+char *tui_speed_and_feed_options(const struct tui *t);
 
 /* Returns the command for everything shown at the slider's speed: predict, or
  * compare with the pinned prediction.  The caller frees it. */
@@ -407,13 +409,13 @@ char *tui_command_at_slider(const struct tui *t);
 
 /* Ignores clicks until the next frame, because the frame shown is out of
  * date. */
-void tui_clear_hits(struct tui *t);
+void tui_clear_click_areas(struct tui *t);
 /* Discard computed results, but not the cursor's position. */
-void tui_forget_sheet(struct sheet *sheet);
-void tui_forget_parity(struct parity *parity);
+void tui_free_sheet(struct sheet *sheet);
+void tui_free_parity(struct parity *parity);
 
 /* Sets the message.  bad: it is an error. */
-void tui_say(struct tui *t, bool bad, const char *format, ...)
+void tui_set_message(struct tui *t, bool bad, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 #endif

@@ -25,7 +25,7 @@ static const double PAUSE = 0.7;
 
 /* Returns the numbers of a prediction for the site with that key. */
 static struct numbers
-numbers_of_prediction(const char *key, const struct prediction *p)
+summary_numbers_of_prediction(const char *key, const struct prediction *p)
 {
 	struct numbers n = {.speed = p->speed};
 	if (p->product.n == 0)
@@ -47,8 +47,9 @@ static void
 copy_pinned_numbers(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
-	t->view.pinned = pin != NULL ? numbers_of_prediction(pin->key, &pin->p)
-				     : (struct numbers){0};
+	t->view.pinned = pin != NULL
+			     ? summary_numbers_of_prediction(pin->key, &pin->p)
+			     : (struct numbers){0};
 }
 
 static void
@@ -60,7 +61,7 @@ free_shown_prediction(struct tui *t)
 }
 
 static void
-forget_prediction(struct tui *t)
+discard_shown_prediction(struct tui *t)
 {
 	free_shown_prediction(t);
 	t->view.current = (struct numbers){0};
@@ -70,10 +71,10 @@ forget_prediction(struct tui *t)
 /* Records what predictions depend on (struct fit_record) and, if that has
  * changed, discards what was computed from it. */
 static void
-discard_if_basis_changed(struct tui *t)
+discard_stale_predictions(struct tui *t)
 {
 	struct fit_record *b = &t->view.basis;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	const struct settings *set = &t->session->set;
 	if (entry != NULL && b->site == entry->site &&
 	    b->origin == entry->origin &&
@@ -97,22 +98,23 @@ discard_if_basis_changed(struct tui *t)
 }
 
 void
-view_mark_changed(struct tui *t)
+view_discard_outdated(struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	t->view.revision++;
 	t->view.light_known = false;
 	t->view.rows_at = 0;
 	t->view.n_row = 0;
-	tui_forget_parity(&t->view.parity);
-	discard_if_basis_changed(t);
+	tui_free_parity(&t->view.parity);
+	discard_stale_predictions(t);
 	if (entry != NULL && entry == session_entry_being_fitted(t->session))
 		t->pending_key = NULL;
 	copy_pinned_numbers(t);
-	if (isnan(session_answer_number(t->session, "predict", "speed")))
-		forget_prediction(t);
+	if (isnan(
+		session_number_in_last_answer(t->session, "predict", "speed")))
+		discard_shown_prediction(t);
 	t->view.holdout = entry != NULL && entry->has_fit
-			      ? 100 * fit_holdout_rmse(entry)
+			      ? 100 * fit_largest_holdout_rmse(entry)
 			      : NAN;
 }
 
@@ -123,7 +125,7 @@ make_prediction_key(const struct tui *t)
 	bool searching =
 	    session_is_calibrating(s) && s->job.entry == s->current;
 	return (struct prediction_key){.basis = t->view.n_basis,
-	    .feed = tui_feed_run(t),
+	    .feed = tui_run_index_of_feed(t),
 	    .generation =
 		searching ? calibration_status(s->job.calibration).generation
 			  : 0,
@@ -134,7 +136,7 @@ void
 view_predict_at_slider(struct tui *t)
 {
 	struct session *s = t->session;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	track_run_pending_key(t, false);
 	bool keep = t->keep_message;
 	t->keep_message = false;
@@ -158,13 +160,13 @@ view_predict_at_slider(struct tui *t)
 	t->view.from_search = forming;
 	if (!first)
 		t->view.moved = t->clock;
-	FREED char *where = tui_options_at_slider(t);
+	FREED char *where = tui_speed_and_feed_options(t);
 	FREED char *line = xasprintf("predict %s", where);
 	struct error error = {0};
 	free_shown_prediction(t);
-	if (!predict_for_slider(s, tui_entry_for_prediction(t),
-		tui_slider_speed(t), tui_feed_run(t), line, &t->view.shown,
-		&error))
+	if (!predict_at_screen_speed(s, tui_site_entry_for_prediction(t),
+		tui_slider_speed(t), tui_run_index_of_feed(t), line,
+		&t->view.shown, &error))
 		captured_show_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !keep) || t->command == NULL) {
 		free(t->command);
@@ -175,15 +177,16 @@ view_predict_at_slider(struct tui *t)
 		t->message[0] = '\0';
 	tui_set_feed_from_answer(t);
 	t->view.of = make_prediction_key(t);
-	t->view.current = numbers_of_prediction(entry->key, &t->view.shown);
+	t->view.current =
+	    summary_numbers_of_prediction(entry->key, &t->view.shown);
 }
 
 void
 view_predict_unrecorded(struct tui *t)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_current_entry(t);
-	forget_prediction(t);
+	const struct entry *entry = tui_current_site_entry(t);
+	discard_shown_prediction(t);
 	if (entry == NULL)
 		return;
 	struct params params = entry->params;
@@ -191,10 +194,11 @@ view_predict_unrecorded(struct tui *t)
 	    !entry->has_params)
 		return;
 	struct question q = question_of_whole_product(
-	    s, tui_entry_for_prediction(t), tui_feed_run(t));
+	    s, tui_site_entry_for_prediction(t), tui_run_index_of_feed(t));
 	q.params = &params;
 	t->view.shown = forecast_product(s, &q, tui_slider_speed(t));
-	t->view.current = numbers_of_prediction(entry->key, &t->view.shown);
+	t->view.current =
+	    summary_numbers_of_prediction(entry->key, &t->view.shown);
 }
 
 void
@@ -212,7 +216,7 @@ view_free(struct tui *t)
 	origin_release(t->view.basis.origin);
 	free(t->view.row);
 	goals_discard_results(&t->view.goal);
-	tui_forget_sheet(&t->view.sheet);
-	tui_forget_parity(&t->view.parity);
+	tui_free_sheet(&t->view.sheet);
+	tui_free_parity(&t->view.parity);
 	envelope_check_free(t);
 }

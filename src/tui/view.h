@@ -8,7 +8,7 @@
 
 /* Must be called after anything that may have changed the session.  Discards
  * the results that are then out of date. */
-void view_mark_changed(struct tui *t);
+void view_discard_outdated(struct tui *t);
 
 /* Computes the content of a frame: the prediction at the slider's speed, which
  * also becomes the session's latest answer, then what else the open page shows.

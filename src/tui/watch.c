@@ -40,16 +40,16 @@ tui_stop_fit(struct tui *t)
 	const char *useless = s->job.type->useless;
 	enum stopped stopped = session_stop_job_for_user(s);
 	session_end_finished_commands(s, true, &error);
-	t->ran = tui_search_seconds(t);
+	t->ran = tui_calibration_seconds(t);
 	t->held = false;
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	const char *said =
 	    useless != NULL ? useless
 	    : alone
 		? tr(STOPS[stopped].all)
 		: tr("stopped: the sites calibrated so far keep their fits; u "
 		     "undoes it");
-	tui_say(t, false, "%s", said);
+	tui_set_message(t, false, "%s", said);
 	return useless == NULL && alone ? tr(STOPS[stopped].behind) : said;
 }
 
@@ -61,16 +61,16 @@ report_fit_end(struct tui *t, bool alone)
 	if (!session_end_finished_commands(t->session, true, &error))
 		captured_show_error(t, &error, "", "");
 	t->held = false;
-	control_update_state(t);
-	const struct entry *entry = tui_current_entry(t);
+	control_discard_outdated_state(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	if (error.kind != ERROR_NONE)
 		return;
 	if (!alone)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "all sites are calibrated: Enter opens one, :validate all "
 		    "compares them with their held-out runs");
 	else if (entry != NULL && entry->has_fit)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    t->ui.page == PAGE_FIT
 			? N_("calibrated: %s, RMSE %.2f points, %zu "
 			     "generations; 1 shows the prediction")
@@ -89,13 +89,13 @@ end_job_and_show_result(struct tui *t, const struct job_type *type)
 		return;
 	}
 	t->held = false;
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	captured_show_output(t);
 	if (!session_end_finished_commands(t->session, true, &error))
 		captured_show_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
 		t->viewer.report = true;
-		tui_say(t, false, "%s: done, V shows it again",
+		tui_set_message(t, false, "%s: done, V shows it again",
 		    t->job != NULL ? t->job : t->command);
 	}
 }
@@ -114,7 +114,7 @@ watch_set_fit_paused(struct tui *t, bool hold)
 {
 	if (hold == t->held)
 		return;
-	t->ran = tui_search_seconds(t);
+	t->ran = tui_calibration_seconds(t);
 	t->held = hold;
 	t->due = t->started = t->clock;
 }
@@ -136,11 +136,11 @@ watch_run_fit_step(struct tui *t)
 /* Returns how many generations to run per second: at pace auto, fewer after a
  * generation that gained much. */
 static double
-generations_per_second(const struct tui *t)
+generations_to_run_per_second(const struct tui *t)
 {
 	enum { QUICK = 40, USUAL = 12, SLOW = 4 };
 	const double much = 0.2, little = 0.02;
-	struct search_shown past = tui_search_shown(t);
+	struct search_shown past = tui_calibration_history(t);
 	const struct calibrate_generation *g = past.generation;
 	if (t->ui.pace != PACE_AUTO)
 		return PACES[t->ui.pace];
@@ -157,7 +157,7 @@ watch_run_due_fit_steps(struct tui *t)
 	struct session *s = t->session;
 	if (!session_is_calibrating(s) || t->held)
 		return;
-	double began = session_clock();
+	double began = session_clock_seconds();
 	/* If several sites are calibrated in turn, nobody watches the
 	 * generations, so they need no pace. */
 	const struct job_type *type = s->job.type;
@@ -171,15 +171,15 @@ watch_run_due_fit_steps(struct tui *t)
 		if (type->task_words != NULL)
 			captured_discard_output(t);
 		session_step_job(s);
-	} while (session_is_calibrating(s) && signals_pending() == 0 &&
+	} while (session_is_calibrating(s) && signals_get_recorded() == 0 &&
 		 entry == s->job.entry &&
 		 (pace == PACE_FULL || is_sampling_posterior(s)) &&
 		 (t->aside || (!signals_is_stop_wanted() &&
-				  session_clock() - began < FRAME)));
+				  session_clock_seconds() - began < FRAME)));
 	if (pace < PACE_FULL)
-		t->due = t->clock + 1 / generations_per_second(t);
+		t->due = t->clock + 1 / generations_to_run_per_second(t);
 	if (!session_is_calibrating(s))
 		end_job_and_show_result(t, type);
 	else if (type->task_words == NULL && entry != s->job.entry)
-		control_update_state(t);
+		control_discard_outdated_state(t);
 }

@@ -27,7 +27,7 @@ is_start_of_command(const char *letters)
 }
 
 bool
-word_begin_command_line(struct tui *t, int code, bool special)
+word_open_cmdline_on_two_letters(struct tui *t, int code, bool special)
 {
 	struct held_letter *w = &t->word;
 	const char both[] = {w->letter, (char)code, '\0'};
@@ -42,7 +42,8 @@ word_begin_command_line(struct tui *t, int code, bool special)
 }
 
 bool
-word_delay_key(struct tui *t, int code, bool special, const struct key *key)
+word_hold_letter_until_next_key(
+    struct tui *t, int code, bool special, const struct key *key)
 {
 	struct held_letter *w = &t->word;
 	*w = (struct held_letter){0};
@@ -57,14 +58,14 @@ word_delay_key(struct tui *t, int code, bool special, const struct key *key)
 }
 
 double
-word_delay_left_s(const struct tui *t)
+word_key_delay_seconds_left(const struct tui *t)
 {
 	return t->word.held != NULL ? fmax(0, t->word.at + GAP - t->clock)
 				    : INFINITY;
 }
 
 const struct key *
-word_take_delayed_key(struct tui *t)
+word_pop_delayed_key(struct tui *t)
 {
 	const struct key *held = t->word.held;
 	t->word = (struct held_letter){0};

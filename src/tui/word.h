@@ -7,17 +7,17 @@
 
 /* If a key is the second letter of a command's name, opens the command line
  * with both letters, reverses what the first letter moved, and returns true. */
-bool word_begin_command_line(struct tui *t, int code, bool special);
+bool word_open_cmdline_on_two_letters(struct tui *t, int code, bool special);
 
 /* Holds a key that may begin such a name and returns true if it is held.
  * Without a terminal, no key is held. */
-bool word_delay_key(
+bool word_hold_letter_until_next_key(
     struct tui *t, int code, bool special, const struct key *key);
 
 /* Returns the time until the held key acts, s, or INFINITY if none is held. */
-double word_delay_left_s(const struct tui *t);
+double word_key_delay_seconds_left(const struct tui *t);
 
 /* Returns the held key, or NULL, and releases it. */
-const struct key *word_take_delayed_key(struct tui *t);
+const struct key *word_pop_delayed_key(struct tui *t);
 
 #endif

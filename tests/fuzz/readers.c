@@ -272,7 +272,7 @@ read_store(const char *path)
 	struct error error = {0};
 	bool ok = store_list_materials(store, &list, &error);
 	if (ok && list.n > 0)
-		ok = store_put_materials(store, list.item, 1, true, &error) &&
+		ok = store_save_materials(store, list.item, 1, true, &error) &&
 		     store_remove_material(store, list.item[0].name, &error);
 	material_list_free(&list);
 	store_free(store);

@@ -31,11 +31,11 @@ call_parse(const char *line)
 {
 	struct call *call = xcalloc(1, sizeof *call);
 	bool split =
-	    words_split(line, 0, CALL_PLACE, &call->words, &call->error);
+	    words_split_line(line, 0, CALL_PLACE, &call->words, &call->error);
 	if (split)
 		conditions_join_words(&call->words);
 	if (split)
-		call->command = parse_call(
+		call->command = parse_command_words(
 		    &call->words, CALL_PLACE, &call->args, &call->error);
 	return call;
 }

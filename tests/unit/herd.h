@@ -88,7 +88,7 @@ evaluate_part(void *data, size_t part, unsigned thread)
 {
 	const struct batch *b = data;
 	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
-	kernel_evaluate_part(b->kernel, b->theta, from, to < b->n ? to : b->n,
+	kernel_evaluate_candidates(b->kernel, b->theta, from, to < b->n ? to : b->n,
 	    thread, &(struct kernel_out){.misfit = b->misfit});
 }
 

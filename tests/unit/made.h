@@ -135,7 +135,7 @@ made_site(const struct table_row *row, double noise, uint64_t seed)
 	    .seed = seed,
 	    .n_speed = 3,
 	    .speed = SPEED};
-	return synth_site(&synth);
+	return synth_make_site(&synth);
 }
 
 /* The model's product of a run's feed on the sieves of its product. */
@@ -144,8 +144,8 @@ made_product(const struct run *run, const struct params *p, double *passing)
 {
 	struct model *model = model_new(&run->feed, run->product.size,
 	    run->product.n, model_settings_default());
-	model_use_params(model, p);
-	model_product(model, run->speed, passing);
+	model_set_params(model, p);
+	model_compute_product(model, run->speed, passing);
 	model_free(model);
 }
 

@@ -73,7 +73,7 @@ put_text(struct material *m, const char *name, const char *text)
 static inline struct material
 full(const char *name)
 {
-	struct material m = material_empty();
+	struct material m = material_make_empty();
 	put_text(&m, "name", name);
 	put_text(&m, "site", "Gävle, \"södra\"");
 	put_text(&m, "rock", "Granite");
@@ -106,7 +106,7 @@ full(const char *name)
 static inline struct material
 sparse(const char *name)
 {
-	struct material m = material_empty();
+	struct material m = material_make_empty();
 	put_text(&m, "name", name);
 	put_text(&m, "site", "Nowhere");
 	put_text(&m, "origin", "hand");
@@ -134,7 +134,7 @@ expect_same(const struct material *a, const struct material *b)
 static inline void
 put(struct shelf *shelf, struct material m)
 {
-	if (!store_put_materials(shelf->store, &m, 1, false, &shelf->error))
+	if (!store_save_materials(shelf->store, &m, 1, false, &shelf->error))
 		fail_msg("%s: %s", m.name, shelf->error.text);
 	material_free(&m);
 }

@@ -107,10 +107,10 @@ a_speed_is_typed_with_its_unit(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "=1500 rpm\n");
 	assert_non_null(strstr(t->message, "diameter is not known"));
-	session_current_entry(t->session)->site->rotor = 0.9;
+	session_current_site_entry(t->session)->site->rotor = 0.9;
 	type(t, "=1500 rpm\n");
 	assert_int_equal(tui_slider_position(t), 707);
 	/* Rpm come back as typed, and so do those that were measured. */
@@ -120,11 +120,11 @@ a_speed_is_typed_with_its_unit(void **state)
 	assert_true(fabs(tui_slider_speed(t) - 70.73) < 1e-9);
 	type(t, "=72,5 m/s\n");
 	assert_int_equal(tui_slider_position(t), 725);
-	session_current_entry(t->session)->site->run[0].speed = 72.46;
+	session_current_site_entry(t->session)->site->run[0].speed = 72.46;
 	type(t, "=72,6 m/s\n");
-	tui_step_slider_to(t, 725);
+	tui_set_slider_position(t, 725);
 	assert_true(fabs(tui_slider_speed(t) - 72.46) < 1e-9);
-	session_current_entry(t->session)->site->run[0].speed = 69;
+	session_current_site_entry(t->session)->site->run[0].speed = 69;
 	type(t, "=1500\n");
 	assert_int_equal(tui_slider_position(t), 707);
 	type(t, "=99999\n");
@@ -150,15 +150,15 @@ a_sheet_in_rpm_is_stepped_in_rpm(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	struct site *site = session_current_entry(t->session)->site;
+	struct site *site = session_current_site_entry(t->session)->site;
 	site->rotor = 0.9;
 	for (size_t r = 0; r < site->n_run; r++)
 		site->run[r].speed =
 		    rotor_speed_from_rpm(1464 + 106 * (double)r, 0.9);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "=1650\nl");
 	assert_int_equal(tui_slider_position(t), 1651);
-	FREED char *where = tui_options_at_slider(t);
+	FREED char *where = tui_speed_and_feed_options(t);
 	assert_string_equal(where, "speed=1651rpm");
 	type(t, "L");
 	assert_int_equal(tui_slider_position(t), 1661);
@@ -186,7 +186,7 @@ a_digit_that_is_no_page_begins_a_speed(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv; set slider 60..99");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	for (int tens = 6; tens <= 9; tens++) {
 		char typed[] = {(char)('0' + tens), '9', '\n', '\0'};
 		type(t, typed);
@@ -280,19 +280,19 @@ a_pause_is_no_part_of_the_search(void **state)
 	watch_run_due_fit_steps(t);
 	type(t, " ");
 	t->clock = 160;
-	assert_float_equal(tui_search_seconds(t), 3, 1e-9);
+	assert_float_equal(tui_calibration_seconds(t), 3, 1e-9);
 	type(t, " ");
 	t->clock = 161;
-	assert_float_equal(tui_search_seconds(t), 4, 1e-9);
+	assert_float_equal(tui_calibration_seconds(t), 4, 1e-9);
 	type(t, "s");
 	t->clock = 200;
 	type(t, " ");
 	assert_true(session_is_calibrating(t->session));
 	t->clock = 202;
-	assert_float_equal(tui_search_seconds(t), 6, 1e-9);
+	assert_float_equal(tui_calibration_seconds(t), 6, 1e-9);
 	t->session->hooks.confirm = says_yes;
 	type(t, "f");
-	assert_float_equal(tui_search_seconds(t), 0, 1e-9);
+	assert_float_equal(tui_calibration_seconds(t), 0, 1e-9);
 }
 
 static void
@@ -301,24 +301,24 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
 	type(t, "2");
-	size_t n = tui_search_shown(t).n;
+	size_t n = tui_calibration_history(t).n;
 	int tenths = tui_slider_position(t);
 	press(t, "Home");
-	assert_int_equal(tui_generation_without_polish(t), 1);
+	assert_int_equal(tui_shown_unpolished_generation(t), 1);
 	press(t, "L");
-	assert_int_equal(tui_generation_without_polish(t), 11);
+	assert_int_equal(tui_shown_unpolished_generation(t), 11);
 	press(t, "PgUp");
-	assert_int_equal(tui_generation_without_polish(t), n < 61 ? n : 61);
+	assert_int_equal(tui_shown_unpolished_generation(t), n < 61 ? n : 61);
 	press(t, "End");
-	assert_int_equal(tui_generation_without_polish(t), n);
+	assert_int_equal(tui_shown_unpolished_generation(t), n);
 	press(t, "H");
 	/* The polish is a step of its own behind the last. */
 	assert_int_equal(tui_count_generations(t), n + 1);
-	assert_int_equal(tui_generation_without_polish(t), n - 9);
+	assert_int_equal(tui_shown_unpolished_generation(t), n - 9);
 	assert_int_equal(tui_slider_position(t), tenths);
 	type(t, "1");
 	press(t, "Home");
-	assert_int_equal(tui_generation_without_polish(t), n - 9);
+	assert_int_equal(tui_shown_unpolished_generation(t), n - 9);
 	assert_int_equal(tui_slider_position(t), tui_slider_range(t).least);
 }
 
@@ -345,15 +345,15 @@ a_goal_outlives_its_site(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk,
 	    "load data/sites/tierp.csv; params set f_mat=1 e0_min=16 alpha=1");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	type(t, "tp80=5.4\n");
 	draw_all(t);
-	assert_true(goal_is_known(t));
+	assert_true(goal_is_search_done(t));
 	type(t, ":drop tierp\n");
 	draw_all(t);
 	assert_string_equal(t->session->set.goal, "p80=5.4");
-	assert_false(goal_is_known(t));
+	assert_false(goal_is_search_done(t));
 	type(t, ":load data/sites/tierp.csv\n");
 	draw_all(t);
 }
@@ -370,7 +370,7 @@ an_envelope_waits_for_parameters(void **state)
 	assert_non_null(
 	    strstr(stage->desk->error.text, "has no parameters yet"));
 	assert_false(desk_say(stage->desk, "spec EN 12620 0/4"));
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "f..:spec\n");
 	draw_all(t);
 	assert_false(t->failed && t->message[0] == '\0');
@@ -383,34 +383,35 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "t5.2\n");
 	assert_false(t->line.active);
 	assert_string_equal(t->session->set.goal, "p80=5.2");
 	assert_string_equal(t->command, "set goal \"p80=5.2\"");
-	assert_false(goal_is_known(t));
-	char *words = goal_in_words(t, GOALS_FULL);
+	assert_false(goal_is_search_done(t));
+	char *words = goal_result_text(t, GOALS_FULL);
 	assert_string_equal(words, "goal p80=5.2: being worked out");
 	free(words);
-	words = goal_in_words(t, GOALS_SHORT);
+	words = goal_result_text(t, GOALS_SHORT);
 	assert_string_equal(words, "goal");
 	free(words);
 	draw_all(t);
-	assert_true(goal_is_known(t));
+	assert_true(goal_is_search_done(t));
 	double best = goal_best_speed(t);
 	type(t, "N");
-	assert_int_equal(
-	    tui_slider_position(t), slider_position(tui_slider_range(t), best));
+	assert_int_equal(tui_slider_position(t),
+	    slider_position_of_speed(tui_slider_range(t), best));
 	view_predict_at_slider(t);
 	assert_string_equal(t->message, "the goal is met at 75.6 m/s");
 	assert_string_equal(t->command, "predict speed=75.6");
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
-	    session_answer_number(t->session, "find", "speed"), best, 1e-6);
-	words = goal_in_words(t, GOALS_SHORT);
+	    session_number_in_last_answer(t->session, "find", "speed"), best,
+	    1e-6);
+	words = goal_result_text(t, GOALS_SHORT);
 	assert_string_equal(words, "goal at 75.6");
 	free(words);
-	words = goal_in_words(t, GOALS_FULL);
+	words = goal_result_text(t, GOALS_FULL);
 	assert_string_equal(words, "goal p80=5.2: met at 75.6 m/s");
 	free(words);
 }
@@ -423,7 +424,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "tpassing 2 = 33..35\n");
 	static const char *const AWAY[] = {"l", "\033", "073.1\n"};
 	t->aside = false;
@@ -444,13 +445,14 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	pages_update(t);
 	assert_true(strip_seconds_to_wait(t) <= 0);
 	view_predict_at_slider(t);
-	int best = slider_position(tui_slider_range(t), goal_best_speed(t));
+	int best =
+	    slider_position_of_speed(tui_slider_range(t), goal_best_speed(t));
 	assert_int_not_equal(best, 741);
 	assert_int_equal(tui_slider_position(t), best);
 	assert_non_null(strstr(t->message, "best speed of the goal"));
 	/* Before that it is worked out for who will not wait. */
 	type(t, ":set level 90\n");
-	assert_false(goal_is_known(t));
+	assert_false(goal_is_search_done(t));
 	t->ui.speed = 74.1;
 	t->aside = false;
 	type(t, "Nx");
@@ -471,17 +473,17 @@ a_goal_stays_known_until_something_else_is_asked(void **state)
 				     ":set k 0.9\n", ":params set alpha=0.5\n",
 				     ":set goal p80<5.1\n"};
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "tp80<5.2\n");
 	draw_all(t);
 	for (size_t i = 0; i < ARRAY_LEN(SAME); i++) {
 		type(t, SAME[i]);
-		if (!goal_is_known(t))
+		if (!goal_is_search_done(t))
 			fail_msg("forgotten by %s", SAME[i]);
 	}
 	for (size_t i = 0; i < ARRAY_LEN(OTHER); i++) {
 		type(t, OTHER[i]);
-		if (goal_is_known(t))
+		if (goal_is_search_done(t))
 			fail_msg("still known after %s", OTHER[i]);
 		draw_all(t);
 	}
@@ -511,13 +513,13 @@ a_report_that_was_closed_is_shown_again(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	type(t, "V");
 	assert_null(t->viewer.text);
 	type(t, "2:validate holdout=each\n");
 	assert_true(session_is_calibrating(t->session));
-	FREED char *hints = keys_hint_row(page_fit.hints_now(t), PAGE_FIT);
+	FREED char *hints = keys_hint_row_text(page_fit.hints_now(t), PAGE_FIT);
 	assert_non_null(strstr(hints, "Esc stop"));
 	assert_null(strstr(hints, "generation"));
 	while (session_is_calibrating(t->session))
@@ -541,7 +543,7 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	type(t, "c");
 	int tenths = tui_slider_position(t);
@@ -570,7 +572,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	desk_expect(stage->desk,
 	    "load data/sites/tierp.csv; bounds alpha 0..60; "
 	    "calibrate generations=3");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "2");
 	press(t, "Down");
 	type(t, "\n\033");
@@ -583,7 +585,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	fclose(out);
 	assert_non_null(strstr(text, "beta1 >"));
 	assert_null(strstr(text, "beta2 >"));
-	struct search_shown past = tui_search_shown(t);
+	struct search_shown past = tui_calibration_history(t);
 	struct param_span span =
 	    param_span_of_generation(t->session, &past, 0, ALPHA - 1);
 	assert_true(span.near && !span.at_bound);
@@ -605,28 +607,28 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	struct tui *t = &stage->t;
 	double limit[8];
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "tpassing 2 = 33..35, p80 > 5\n");
 	draw_all(t);
-	assert_int_equal(goal_limit_speeds(t, limit, 8), 2);
+	assert_int_equal(goal_list_limit_speeds(t, limit, 8), 2);
 	desk_expect(stage->desk, "window \"passing 2 = 33..35\" \"p80 > 5\"");
 	const struct session *s = t->session;
-	assert_float_equal(
-	    session_answer_number(s, "window", "best"), goal_best_speed(t), 0);
+	assert_float_equal(session_number_in_last_answer(s, "window", "best"),
+	    goal_best_speed(t), 0);
 	assert_int_equal(t->view.goal.found->n_inside, 1);
 	t->ui.speed = 65;
 	type(t, "n");
 	assert_int_equal(tui_slider_position(t),
-	    slider_position(tui_slider_range(t), limit[0]));
+	    slider_position_of_speed(tui_slider_range(t), limit[0]));
 	type(t, "n");
 	assert_int_equal(tui_slider_position(t),
-	    slider_position(tui_slider_range(t), limit[1]));
+	    slider_position_of_speed(tui_slider_range(t), limit[1]));
 	type(t, "n");
 	assert_int_equal(tui_slider_position(t),
-	    slider_position(tui_slider_range(t), limit[1]));
+	    slider_position_of_speed(tui_slider_range(t), limit[1]));
 	type(t, "p");
 	assert_int_equal(tui_slider_position(t),
-	    slider_position(tui_slider_range(t), limit[0]));
+	    slider_position_of_speed(tui_slider_range(t), limit[0]));
 	bool certain;
 	assert_true(goal_is_met_between(t, limit[0], limit[1], &certain));
 	assert_false(goal_is_met_between(t, 80, 85, &certain));
@@ -647,7 +649,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_false(t->line.active);
 	assert_true(t->bad);
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	static const char *const BAD[] = {"p80 = few", "p80=5,p50=2",
 	    "passing 2 < 140", "no such envelope", "p80=-1"};
 	for (size_t i = 0; i < ARRAY_LEN(BAD); i++) {
@@ -685,7 +687,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_string_equal(t->line.text, "fines<");
 	type(t, "6\n");
 	draw_all(t);
-	assert_true(goal_is_known(t));
+	assert_true(goal_is_search_done(t));
 	type(t, "t\025EN 12620 0/4\n");
 	draw_all(t);
 	assert_true(t->view.goal.list.n > 1);
@@ -699,10 +701,10 @@ an_envelope_shows_what_binds(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "t\025EN 12620 0/4\n");
-	while (goal_is_pending(t))
-		goal_compute_step(t);
+	while (goal_is_search_needed(t))
+		goal_run_search_step(t);
 	const struct goal *g = &t->view.goal;
 	assert_true(g->n_value == 0 && g->found->n_inside == 1);
 	assert_true(
@@ -715,7 +717,7 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	for (int i = 0; i < 8; i++) {
 		assert_true((t->ui.quantity.kind == QUANTITY_SIZE &&
 				t->ui.quantity.x == 0.8) == (i == 0));
@@ -743,7 +745,7 @@ a_feed_that_is_set_is_the_sliders(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	double mean = t->view.shown.p50;
 	type(t, ":set feed 79\n");
@@ -751,8 +753,8 @@ a_feed_that_is_set_is_the_sliders(void **state)
 	assert_true(t->view.shown.p50 != mean);
 	assert_string_equal(t->command, "predict speed=74.0 feed=79");
 	desk_expect(stage->desk, "predict 74");
-	assert_true(session_answer_number(t->session, "predict", "p50_mm") ==
-		    1000 * t->view.shown.p50);
+	assert_true(session_number_in_last_answer(t->session, "predict",
+			"p50_mm") == 1000 * t->view.shown.p50);
 	type(t, ":set feed mean\n");
 	draw_all(t);
 	assert_true(t->view.shown.p50 == mean);
@@ -767,7 +769,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 	struct tui *t = &stage->t;
 	const struct strip *strip = &t->view.strip;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	double mean = t->view.shown.p50;
 	type(t, ":set feed data/sites/bro.csv@69\n");
@@ -776,26 +778,28 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 		assert_true(fabs(t->view.shown.p50 - mean) > 1e-4);
 		assert_int_equal(strip->n, STRIP_POINTS);
 		desk_expect(stage->desk, "predict 74");
-		assert_true(session_answer_number(t->session, "predict",
+		assert_true(session_number_in_last_answer(t->session, "predict",
 				"p50_mm") == 1000 * t->view.shown.p50);
 		struct prediction p = forecast_whole_product(t->session,
-		    tui_entry_for_prediction(t), strip->speed[0],
+		    tui_site_entry_for_prediction(t), strip->speed[0],
 		    SITE_MEAN_FEED);
 		assert_true(fabs(strip->value[0][0] - 1000 * p.p80) < 1e-9);
 		prediction_free(&p);
 		desk_expect(
 		    stage->desk, "calibrate train=69,74,79 population=200");
-		control_update_state(t);
+		control_discard_outdated_state(t);
 	}
 	type(t, "tp50=2.66\n");
 	draw_all(t);
 	desk_expect(stage->desk, "find p50=2.66");
-	assert_true(fabs(session_answer_number(t->session, "find", "speed") -
-			 goal_best_speed(t)) < 1e-9);
+	assert_true(
+	    fabs(session_number_in_last_answer(t->session, "find", "speed") -
+		 goal_best_speed(t)) < 1e-9);
 	type(t, ":set feed mean\n");
 	draw_all(t);
 	assert_true(t->view.shown.p50 != mean);
-	assert_ptr_equal(tui_entry_for_prediction(t), tui_current_entry(t));
+	assert_ptr_equal(
+	    tui_site_entry_for_prediction(t), tui_current_site_entry(t));
 }
 
 /* Not only from the next step of the slider on. */
@@ -805,7 +809,7 @@ a_band_is_of_the_level_that_is_set(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	const double *range = t->view.shown.range[1];
 	double width = range[1] - range[0];
@@ -823,13 +827,13 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	struct tui *t = &stage->t;
 	const struct strip *strip = &t->view.strip;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	assert_int_equal(strip->n, STRIP_POINTS);
 	for (size_t i = 0; i < strip->n; i++) {
 		const double *value = strip->value[i];
-		struct question q = question_of_whole_product(
-		    t->session, tui_current_entry(t), tui_feed_run(t));
+		struct question q = question_of_whole_product(t->session,
+		    tui_current_site_entry(t), tui_run_index_of_feed(t));
 		struct prediction p =
 		    forecast_product(t->session, &q, strip->speed[i]);
 		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
@@ -845,26 +849,26 @@ a_point_makes_one_generation(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "f...");
 	assert_true(t->held);
-	assert_int_equal(tui_search_shown(t).n, 3);
+	assert_int_equal(tui_calibration_history(t).n, 3);
 	/* A search that waits is not pumped. */
 	t->clock = 1000;
 	watch_run_due_fit_steps(t);
-	assert_int_equal(tui_search_shown(t).n, 3);
+	assert_int_equal(tui_calibration_history(t).n, 3);
 	while (session_is_calibrating(t->session))
 		type(t, ".");
-	assert_true(tui_current_entry(t)->has_fit);
+	assert_true(tui_current_site_entry(t)->has_fit);
 	size_t steps = tui_count_generations(t);
-	assert_int_equal(tui_generation_shown(t), steps);
+	assert_int_equal(tui_shown_generation_number(t), steps);
 	type(t, "\t");
 	press(t, "Home");
 	type(t, ".");
-	assert_int_equal(tui_generation_shown(t), 2);
+	assert_int_equal(tui_shown_generation_number(t), 2);
 	tui_show_generation(t, steps);
 	type(t, ".");
-	assert_int_equal(tui_generation_shown(t), steps);
+	assert_int_equal(tui_shown_generation_number(t), steps);
 }
 
 /* With the key of the page and Enter in eight. */
@@ -876,7 +880,7 @@ bounds_are_typed_on_their_strip(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    "load data/sites/tierp.csv; calibrate population=100 "
 	    "generations=9");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "2");
 	press(t, "Down");
 	press(t, "Enter");
@@ -903,15 +907,16 @@ generations_are_slow_while_the_best_gains(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	assert_int_equal(t->ui.pace, PACE_AUTO);
 	type(t, "f");
 	bool slow = false, quick = false;
-	for (double clock = 0; tui_search_shown(t).n < 40; clock += 0.001) {
-		size_t before = tui_search_shown(t).n;
+	for (double clock = 0; tui_calibration_history(t).n < 40;
+	     clock += 0.001) {
+		size_t before = tui_calibration_history(t).n;
 		t->clock = t->due = clock;
 		watch_run_due_fit_steps(t);
-		assert_int_equal(tui_search_shown(t).n, before + 1);
+		assert_int_equal(tui_calibration_history(t).n, before + 1);
 		slow = slow || t->due - clock > 0.2;
 		quick = quick || t->due - clock < 0.03;
 	}
@@ -930,17 +935,17 @@ the_mouse_drags_the_scrubber_to_its_ends(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	type(t, "2");
 	frame_draw(t);
-	size_t n = tui_search_shown(t).n;
+	size_t n = tui_calibration_history(t).n;
 	const struct area s = t->layout.caption;
 	int column = 30;
 	assert_true(n > 1 && s.rows == 1);
 	assert_false(mouse(t, HIT_DRAG, s.row, column));
 	assert_true(mouse(t, HIT_PRESS, s.row, column));
-	assert_in_range(tui_generation_without_polish(t), 2, n - 1);
+	assert_in_range(tui_shown_unpolished_generation(t), 2, n - 1);
 	assert_true(mouse(t, HIT_DRAG, 0, 0));
-	assert_int_equal(tui_generation_without_polish(t), 1);
+	assert_int_equal(tui_shown_unpolished_generation(t), 1);
 	assert_true(mouse(t, HIT_DRAG, 0, 90));
-	assert_int_equal(tui_generation_without_polish(t), n);
+	assert_int_equal(tui_shown_unpolished_generation(t), n);
 	hits_end_drag(&t->hits);
 	assert_false(mouse(t, HIT_DRAG, 0, 0));
 	assert_true(mouse(t, HIT_PRESS, t->layout.header.row, 79));
@@ -954,7 +959,7 @@ the_list_has_the_keys_of_other_pages(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "5");
 	t->ui.list[PAGE_SITES].at = 0;
 	type(t, "?/use a site\n");
@@ -1006,7 +1011,7 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 	canvas_free(screen_end_offscreen(stage->was));
 	stage->was = screen_begin_offscreen(1000, 100, CHARSET_ASCII, 0);
 	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	char *text = frame_text();
 	int row = 0, from = t->layout.strip.row,
@@ -1067,13 +1072,13 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "pin speed=70; use bro; calibrate");
 	t->session->hooks.confirm = says_yes;
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	/* On a terminal a goal is worked out part by part. */
 	t->aside = false;
 	t->view.moved = -1e9;
 	type(t, "tp80=5..5.3\n");
-	for (size_t part = 0; goal_is_pending(t); part++) {
+	for (size_t part = 0; goal_is_search_needed(t); part++) {
 		if (part % often(16, 1) == 0) {
 			type(t, ":screen\n");
 			assert_non_null(t->viewer.text);
@@ -1081,7 +1086,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 		}
 		draw_all(t);
 	}
-	assert_true(goal_is_known(t));
+	assert_true(goal_is_search_done(t));
 	t->aside = true;
 	type(t, ":spec use EN 12620 0/4\n");
 	for (enum page page = 0; page < PAGES; page++) {
@@ -1131,7 +1136,7 @@ the_goal_fills_the_page(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	type(t, "T");
 	assert_non_null(strstr(t->message, "no goal yet"));
 	assert_false(goal_is_viewed(t));
@@ -1144,8 +1149,7 @@ the_goal_fills_the_page(void **state)
 	assert_float_equal(t->ui.quantity.x, 2e-3, 1e-9);
 	char *screen = shown(t);
 	assert_non_null(strstr(screen, "70.8 to 78.0 m/s"));
-	assert_non_null(
-	    strstr(screen, "chance of all at 74.0 m/s: over 99 %"));
+	assert_non_null(strstr(screen, "chance of all at 74.0 m/s: over 99 %"));
 	free(screen);
 	type(t, "]");
 	draw_all(t);
@@ -1155,7 +1159,7 @@ the_goal_fills_the_page(void **state)
 	free(screen);
 	t->ui.list[PAGE_PREDICT].at = 0;
 	desk_expect(stage->desk, "set goal \"fines<3, p80=5.2\"");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
 	assert_float_equal(t->ui.quantity.x, 0.063e-3, 1e-9);
 	list_handle_move_key(
@@ -1264,7 +1268,7 @@ a_question_stays_when_the_slider_moves(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	static const char *const TYPED[] = {
 	    ":predict 70 detail=on\n\033", "l", "l", ":predict 71\n", "l"};
 	for (size_t i = 0; i < ARRAY_LEN(TYPED); i++) {
@@ -1288,7 +1292,7 @@ what_is_left_is_found_again(void **state)
 	struct tui *t = &stage->t;
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	view_predict_at_slider(t);
 	type(t, "xtp80<5.2\ny4");
 	t->aside = false; /* as where somebody looks */
@@ -1303,7 +1307,7 @@ what_is_left_is_found_again(void **state)
 	assert_int_equal(t->ui.page, PAGE_PREDICT);
 	type(t, "u");
 	assert_int_equal(t->view.pinned.site[0], '\0');
-	assert_true(tui_current_entry(t)->has_fit);
+	assert_true(tui_current_site_entry(t)->has_fit);
 	type(t, "UU");
 	assert_string_equal(s->set.goal, "p80<5.2");
 	assert_true(t->view.pinned.speed == 74);
@@ -1373,9 +1377,10 @@ long_commands_leave_the_screen_live(void **state)
 		char *plain = xstrndup(command, strcspn(command, "\n")),
 		     *name = xstrndup(command, strcspn(command, " \n"));
 		desk_expect(stage->desk, plain);
-		double want = session_answer_number(s, name, LONG[i].field);
-		session_forget_answers(s);
-		control_update_state(t);
+		double want =
+		    session_number_in_last_answer(s, name, LONG[i].field);
+		session_remove_answers(s);
+		control_discard_outdated_state(t);
 		draw_all(t);
 		t->aside = false; /* as where somebody looks */
 		type(t, LONG[i].line);
@@ -1384,8 +1389,9 @@ long_commands_leave_the_screen_live(void **state)
 		assert_non_null(t->viewer.text);
 		assert_null(strstr(t->viewer.text, "calibrating G"));
 		assert_float_equal(
-		    session_answer_number(s, name, LONG[i].field), want, 1e-12);
-		assert_true(tui_current_entry(t)->has_fit);
+		    session_number_in_last_answer(s, name, LONG[i].field), want,
+		    1e-12);
+		assert_true(tui_current_site_entry(t)->has_fit);
 		type(t, "\033");
 		assert_null(t->viewer.text);
 		type(t, LONG[i].line);
@@ -1393,7 +1399,7 @@ long_commands_leave_the_screen_live(void **state)
 		type(t, "\033");
 		assert_false(session_is_calibrating(s));
 		assert_non_null(strstr(t->message, LONG[i].stopped));
-		assert_true(tui_current_entry(t)->has_fit);
+		assert_true(tui_current_site_entry(t)->has_fit);
 		t->aside = true;
 		free(plain);
 		free(name);
@@ -1409,7 +1415,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	struct tui *t = &stage->t;
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	t->aside = false; /* as where somebody looks */
 	t->ui.pace = PACE_FULL;
 	type(t, "f");
@@ -1427,7 +1433,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 		free(frame);
 	}
 	assert_in_range(drawing, 2, 10000);
-	assert_true(tui_current_entry(t)->has_fit);
+	assert_true(tui_current_site_entry(t)->has_fit);
 	t->aside = true;
 }
 
@@ -1578,8 +1584,8 @@ a_step_predicts_once_and_says_nothing(void **state)
 		assert_int_equal(predictions, tui_slider_position(t) != before);
 		assert_true(
 		    t->view.shown.speed == tui_slider_position(t) / 10.0);
-		assert_true(session_answer_number(s, "predict", "speed") ==
-			    tui_slider_position(t) / 10.0);
+		assert_true(session_number_in_last_answer(s, "predict",
+				"speed") == tui_slider_position(t) / 10.0);
 	}
 	fflush(heard);
 	assert_int_equal(n, 0);
@@ -1674,7 +1680,7 @@ static bool
 has_hint(const struct tui *t, const char *hint)
 {
 	FREED char *hints =
-	    keys_hint_row(pages_current(t)->hints_now(t), t->ui.page);
+	    keys_hint_row_text(pages_current(t)->hints_now(t), t->ui.page);
 	return strstr(hints, hint) != NULL;
 }
 
@@ -1689,11 +1695,11 @@ undo_says_what_it_took_and_how_it_comes_back(void **state)
 	draw_all(t);
 	assert_false(has_hint(t, "U redo"));
 	type(t, "u");
-	assert_false(tui_current_entry(t)->has_fit);
+	assert_false(tui_current_site_entry(t)->has_fit);
 	assert_non_null(strstr(t->message, "population=200; U brings"));
 	assert_true(has_hint(t, "U redo"));
 	type(t, "U");
-	assert_true(tui_current_entry(t)->has_fit);
+	assert_true(tui_current_site_entry(t)->has_fit);
 	assert_null(strstr(t->message, "U brings"));
 }
 
@@ -1719,16 +1725,16 @@ what_was_unpinned_can_be_pinned_again(void **state)
 	    t->view.pinned.speed == 74 && t->view.pinned.size[1] == p50);
 	assert_true(
 	    t->session->pin->p.speed == 74 && t->session->pin->p.product.n > 0);
-	assert_true(tui_current_entry(t)->has_fit);
+	assert_true(tui_current_site_entry(t)->has_fit);
 	draw_all(t);
 	/* x again pins what is shown; each is a step of undo. */
 	type(t, "xx");
 	assert_true(t->view.pinned.speed == 77);
 	type(t, "x:set k 2\nuuuuu");
 	assert_int_equal(t->view.pinned.site[0], '\0');
-	assert_true(tui_current_entry(t)->has_fit);
+	assert_true(tui_current_site_entry(t)->has_fit);
 	type(t, "u");
-	assert_false(tui_current_entry(t)->has_fit);
+	assert_false(tui_current_site_entry(t)->has_fit);
 }
 
 /* What only reads leaves a search alone; what stops it tells. */
@@ -1740,15 +1746,15 @@ a_line_stops_no_search_unsaid(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
 	t->session->hooks.confirm = says_yes;
-	control_update_state(t);
-	const double best = tui_current_entry(t)->fit.misfit;
+	control_discard_outdated_state(t);
+	const double best = tui_current_site_entry(t)->fit.misfit;
 	type(t, "f.. ");
 	static const char *const BESIDE[] = {":help\n\033", ":hlep\n", "d\033",
 	    ":bounds\n\033", ":predict 75 \n", ":show\n\033"};
 	for (size_t i = 0; i < ARRAY_LEN(BESIDE); i++) {
 		type(t, BESIDE[i]);
 		assert_true(session_is_calibrating(s) && !t->held);
-		assert_int_equal(tui_search_shown(t).n, 2);
+		assert_int_equal(tui_calibration_history(t).n, 2);
 	}
 	type(t, ":version\n");
 	assert_non_null(t->viewer.text);
@@ -1756,16 +1762,16 @@ a_line_stops_no_search_unsaid(void **state)
 	assert_false(session_is_calibrating(s));
 	assert_non_null(strstr(t->message, "was stopped"));
 	assert_non_null(strstr(t->message, ":accept"));
-	assert_true(tui_current_entry(t)->fit.misfit == best);
+	assert_true(tui_current_site_entry(t)->fit.misfit == best);
 	type(t, " ");
 	assert_true(session_is_calibrating(s));
 	type(t, ":window passing 2 = 32..36\n");
 	assert_true(session_is_calibrating(s));
 	assert_non_null(strstr(t->message, "when the calibration ends"));
 	type(t, ":accept\n\033");
-	assert_true(tui_current_entry(t)->fit.misfit > best);
+	assert_true(tui_current_site_entry(t)->fit.misfit > best);
 	type(t, "u");
-	assert_true(tui_current_entry(t)->fit.misfit == best);
+	assert_true(tui_current_site_entry(t)->fit.misfit == best);
 }
 
 /* A re-fit that is half done replaces no better one, whatever stops it. */
@@ -1779,9 +1785,9 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "predict speed=74");
 	t->session->hooks.confirm = says_yes;
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	draw_all(t);
-	const double best = tui_current_entry(t)->fit.misfit;
+	const double best = tui_current_site_entry(t)->fit.misfit;
 	/* "55" is Sites, and no speed; Enter there uses the site: the one in
 	 * use is only looked at. */
 	t->ui.list[PAGE_SITES].at = s->current;
@@ -1804,14 +1810,14 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 			type(t, "s");
 		type(t, ":use tierp\n");
 		draw_all(t);
-		assert_string_equal(tui_current_entry(t)->key, "tierp");
-		assert_true(tui_current_entry(t)->fit.misfit == best);
+		assert_string_equal(tui_current_site_entry(t)->key, "tierp");
+		assert_true(tui_current_site_entry(t)->fit.misfit == best);
 	}
 	/* The last way is to quit, or a signal. */
 	type(t, "1f..");
 	control_close_screen(t);
 	assert_false(session_is_calibrating(s));
-	assert_true(session_current_entry(s)->fit.misfit == best);
+	assert_true(session_current_site_entry(s)->fit.misfit == best);
 	control_open_screen(t, s, &SCRIPT_CALLBACKS);
 }
 
@@ -1867,7 +1873,7 @@ a_word_begins_a_line(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	t->aside = false;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
 		t->clock += 5;
@@ -1890,7 +1896,7 @@ single_letters_are_keys(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	view_predict_at_slider(t);
 	t->aside = false;
 	type(t, "l");
@@ -1898,9 +1904,9 @@ single_letters_are_keys(void **state)
 	t->clock += 0.5;
 	type(t, "c");
 	assert_false(t->ui.crosshair);
-	assert_true(word_delay_left_s(t) > 0.2);
+	assert_true(word_key_delay_seconds_left(t) > 0.2);
 	t->clock += 0.5;
-	assert_true(word_delay_left_s(t) == 0);
+	assert_true(word_key_delay_seconds_left(t) == 0);
 	keymap_run_delayed_key(t);
 	assert_true(t->ui.crosshair);
 	t->clock += 0.5;
@@ -1916,10 +1922,11 @@ f_asks_before_it_replaces_parameters(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	const struct origin *origin = t->session->entry[0].origin;
 	type(t, "f");
-	assert_string_equal(t->message, "not calibrated again: the parameters stay");
+	assert_string_equal(
+	    t->message, "not calibrated again: the parameters stay");
 	assert_false(session_is_calibrating(t->session));
 	assert_ptr_equal(t->session->entry[0].origin, origin);
 	type(t, "a");

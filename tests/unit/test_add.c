@@ -51,7 +51,7 @@ assert_near(double is, double wanted, double tolerance)
 static const struct site *
 site_of(struct desk *desk)
 {
-	return session_current_entry(desk->session)->site;
+	return session_current_site_entry(desk->session)->site;
 }
 
 static void
@@ -98,7 +98,7 @@ cuts_stand_in_order_of_speed(void **state)
 	assert_false(site->individual_feeds);
 	assert_int_equal(site->digest, site_digest(site));
 	/* The slowest and the fastest are trained on. */
-	const bool *train = session_current_entry(desk->session)->train;
+	const bool *train = session_current_site_entry(desk->session)->train;
 	assert_true(train[0] && !train[1] && !train[2] && train[3]);
 	assert_string_equal(site->note[0].key, "cut");
 	assert_string_equal(site->note[0].value, "79 m/s, 2026-05-03, cut.csv");
@@ -153,7 +153,7 @@ a_cut_without_a_feed_has_the_mean(void **state)
 	desk_expect(desk, "params set f_mat=0.8 e0_min=18 alpha=0.9");
 	say(desk, "add %s/cut.csv@72; add %s/cut.csv@79", folder, folder);
 	assert_noted(desk, "feed: mean of those sampled at 69, 79 m/s");
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	const struct site *site = entry->site;
 	const struct psd *mean = site_feed_of_run(site, SITE_MEAN_FEED);
 	const bool lacks[] = {false, true, false, true};
@@ -208,11 +208,11 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	desk_expect(desk, "reset");
 	desk_expect(desk, "load data/sites/tierp.csv");
 	desk_expect(desk, "calibrate seed=1");
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	struct params before = entry->params;
 	assert_int_equal(cut_compare_runs_since_fit(desk->session, entry).n, 0);
 	desk_expect(desk, "add data/cuts/tierp-72.csv@72");
-	entry = session_current_entry(desk->session);
+	entry = session_current_site_entry(desk->session);
 	assert_true(entry->has_fit);
 	assert_memory_equal(&before, &entry->params, sizeof before);
 	assert_noted(
@@ -228,20 +228,20 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	assert_false(later.missed);
 	assert_noted(desk, "next: 'calibrate' includes it in the answers");
 	desk_expect(desk, "add data/cuts/tierp-72.csv@72");
-	entry = session_current_entry(desk->session);
+	entry = session_current_site_entry(desk->session);
 	assert_true(cut_compare_runs_since_fit(desk->session, entry).twice);
 	assert_noted(desk, "next: 'undo', unless two samples");
 	desk_expect(desk, "undo");
-	entry = session_current_entry(desk->session);
+	entry = session_current_site_entry(desk->session);
 	assert_false(cut_compare_runs_since_fit(desk->session, entry).twice);
 	desk_expect(desk, "add data/cuts/tierp-72.csv@90");
 	assert_noted(desk, "it lies outside the training speeds, 69 to 79");
 	desk_expect(desk, "undo");
-	entry = session_current_entry(desk->session);
+	entry = session_current_site_entry(desk->session);
 	/* New runs are held out until calibrate takes them. */
 	assert_true(entry->train[0] && !entry->train[1] && entry->train[3]);
 	desk_expect(desk, "calibrate train=all seed=1");
-	entry = session_current_entry(desk->session);
+	entry = session_current_site_entry(desk->session);
 	assert_true(entry->train[1]);
 	assert_int_equal(cut_compare_runs_since_fit(desk->session, entry).n, 0);
 }

@@ -122,11 +122,12 @@ ask_predict(struct desk *desk, struct tested *q)
 	static const char *const SIZE[PSD_SIZES] = {
 	    "p20_mm", "p50_mm", "p80_mm"};
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		q->size[i] =
-		    session_answer_number(desk->session, "predict", SIZE[i]);
-	const struct site *site = session_current_entry(desk->session)->site;
-	q->product =
-	    predict_table_sizes(site, site_feed_of_run(site, SITE_MEAN_FEED));
+		q->size[i] = session_number_in_last_answer(
+		    desk->session, "predict", SIZE[i]);
+	const struct site *site =
+	    session_current_site_entry(desk->session)->site;
+	q->product = predict_list_table_sieves(
+	    site, site_feed_of_run(site, SITE_MEAN_FEED));
 	size_t n = q->product.n;
 	q->low = xcalloc_doubles(n);
 	q->high = xcalloc_doubles(n);
@@ -245,10 +246,11 @@ ask_find(struct desk *desk, const struct tested *q)
 	if (q->v < 66 || q->v > 84)
 		return;
 	ask(desk, "find p50=%.17g%s", q->size[1], q->with);
-	double v = session_answer_number(desk->session, "find", "speed");
+	double v =
+	    session_number_in_last_answer(desk->session, "find", "speed");
 	ask(desk, "predict %.17g%s", v, q->with);
 	same(q, "find and back", "P50",
-	    session_answer_number(desk->session, "predict", "p50_mm"),
+	    session_number_in_last_answer(desk->session, "predict", "p50_mm"),
 	    q->size[1]);
 }
 
@@ -405,8 +407,8 @@ ask_plots(struct desk *desk, const struct tested *q, size_t i)
 	chart_free(chart);
 	ask_plot_sweep(desk, q);
 	struct prediction p;
-	assert_true(predict_for_slider(s, session_current_entry(s), q->v,
-	    SITE_MEAN_FEED, "predict", &p, &error));
+	assert_true(predict_at_screen_speed(s, session_current_site_entry(s),
+	    q->v, SITE_MEAN_FEED, "predict", &p, &error));
 	for (size_t k = 0; k < p.product.n; k++)
 		same(q, "a step of the slider", "passing",
 		    100 * p.product.passing[k], q->product.passing[k]);
@@ -538,8 +540,8 @@ range_has(const struct session *s, const char *kind, double v)
 	char low[20], high[20];
 	snprintf(low, sizeof low, "%s_low", kind);
 	snprintf(high, sizeof high, "%s_high", kind);
-	return !(session_answer_number(s, "find", low) > v) &&
-	       !(session_answer_number(s, "find", high) < v);
+	return !(session_number_in_last_answer(s, "find", low) > v) &&
+	       !(session_number_in_last_answer(s, "find", high) < v);
 }
 
 /* Every shipped site's measured P20, P50 and P80 of each run, asked with its
@@ -558,7 +560,7 @@ find_holds_what_was_measured(void **state)
 	assert_int_equal(glob("data/sites/*.csv", 0, NULL, &found), 0);
 	for (size_t f = 0; f < found.gl_pathc; f++) {
 		ask(desk, "load %s", found.gl_pathv[f]);
-		const struct site *site = session_current_entry(s)->site;
+		const struct site *site = session_current_site_entry(s)->site;
 		if (f % every >= PSD_SIZES * site->n_run)
 			continue;
 		ask(desk, "calibrate population=200");
@@ -570,7 +572,8 @@ find_holds_what_was_measured(void **state)
 			    1000 * psd_size_at_passing(&run->product, P),
 			    run->speed);
 			tried++;
-			if (isnan(session_answer_number(s, "find", "speed")))
+			if (isnan(session_number_in_last_answer(
+				s, "find", "speed")))
 				continue;
 			stated++;
 			held += range_has(s, "cut", run->speed);

@@ -31,9 +31,9 @@ static struct answer *
 two_sieves(void)
 {
 	struct answer *a = answer_new("try");
-	answer_title(a, "a try");
+	answer_set_title(a, "a try");
 	answer_set_site(a, "Bro", "measured; in May");
-	answer_columns(a, "sieve_mm: sieve mm, passing_pct: passing %%");
+	answer_add_columns(a, "sieve_mm: sieve mm, passing_pct: passing %%");
 	answer_add_cells(a, "%g %.1f", 4.0, 31.25);
 	answer_add_cells(a, "%g %.1f", 2.0, NAN);
 	answer_note(a, "P50 %.2f mm", 5.5);
@@ -64,11 +64,11 @@ fields_keep_their_order_and_kinds(void **state)
 {
 	(void)state;
 	struct answer *a = two_sieves();
-	struct fields *o = answer_fields(a);
+	struct fields *o = answer_json_fields(a);
 	fields_put_values(o,
 	    "speed %g outside %d .poor %g n %zu name %s none %g", 74.0, true,
 	    1.0, (size_t)3, "x\"y", NAN);
-	answer_put_columns_as_lists(a, "passing_pct");
+	answer_add_columns_to_json_fields(a, "passing_pct");
 	struct fields *runs = fields_add_list(o, "runs");
 	fields_put_values(runs, "%g %g", 69.0, 79.0);
 	fields_put_values(fields_add_object(o, "params"), "f_mat %g", 2.5);
@@ -78,7 +78,7 @@ fields_keep_their_order_and_kinds(void **state)
 	    "\"passing_pct\":[31.25,null],\"runs\":[69.0,79.0],"
 	    "\"params\":{\"f_mat\":2.5},\"provenance\":\"measured; in May\"}"
 	    "\n");
-	assert_true(answer_find_number(a, "poor") == 1);
+	assert_true(answer_find_json_number(a, "poor") == 1);
 	answer_free(a);
 }
 
@@ -87,8 +87,8 @@ fields_are_found_by_their_paths(void **state)
 {
 	(void)state;
 	struct answer *a = answer_new("try");
-	assert_false(answer_has_fields(a));
-	struct fields *o = answer_fields(a);
+	assert_false(answer_has_json_fields(a));
+	struct fields *o = answer_json_fields(a);
 	fields_put_values(o, "ok %d verdict %s n %zu", true, "good", (size_t)7);
 	struct fields *list = fields_add_list(o, "holdout");
 	fields_put_values(fields_add_object(list, NULL), "rmse_pct %g", 0.25);
@@ -96,14 +96,14 @@ fields_are_found_by_their_paths(void **state)
 	fields_put_values(fields_add_object(list, NULL), "rmse_pct %g", NAN);
 	fields_put_values(
 	    fields_add_object(fields_add_object(o, "a"), "b"), "c %g", -2.0);
-	assert_true(answer_has_fields(a));
-	assert_true(answer_find_number(a, "ok") == 1);
-	assert_true(answer_find_number(a, "n") == 7);
-	assert_true(answer_find_number(a, "holdout.rmse_pct") == 0.75);
-	assert_true(answer_find_number(a, "a.b.c") == -2);
-	assert_true(isnan(answer_find_number(a, "a.b")));
-	assert_true(isnan(answer_find_number(a, "verdict")));
-	assert_true(isnan(answer_find_number(a, "o")));
+	assert_true(answer_has_json_fields(a));
+	assert_true(answer_find_json_number(a, "ok") == 1);
+	assert_true(answer_find_json_number(a, "n") == 7);
+	assert_true(answer_find_json_number(a, "holdout.rmse_pct") == 0.75);
+	assert_true(answer_find_json_number(a, "a.b.c") == -2);
+	assert_true(isnan(answer_find_json_number(a, "a.b")));
+	assert_true(isnan(answer_find_json_number(a, "verdict")));
+	assert_true(isnan(answer_find_json_number(a, "o")));
 	answer_free(a);
 }
 
@@ -114,7 +114,7 @@ sentences_alone_are_told_to_all(void **state)
 	(void)state;
 	struct answer *a = answer_new("why");
 	answer_note(a, "It breaks");
-	answer_say(a, ANSWER_WARNING, "It is far");
+	answer_add_sentence(a, ANSWER_WARNING, "It is far");
 	prints(a, ANSWER_TABLE, 0, "Warning: It is far.\nIt breaks.\n");
 	prints(
 	    a, ANSWER_MARKDOWN, 0, "\nWarning: It is far.\n\nIt breaks.\n\n");
@@ -131,12 +131,12 @@ programs_may_have_a_table_of_their_own(void **state)
 {
 	(void)state;
 	struct answer *a = answer_new("try");
-	answer_columns(a, "what, at");
-	answer_name(a, "p50_mm", "P50 mm");
+	answer_add_columns(a, "what, at");
+	answer_add_keyed_cell(a, "p50_mm", "P50 mm");
 	answer_add_cells(a, "%g", 3.0);
 	prints(a, ANSWER_CSV, 1, "command,what,at\ntry,p50_mm,3\n");
 	answer_begin_table_for_programs(a);
-	answer_columns(a, "x");
+	answer_add_columns(a, "x");
 	answer_add_cells(a, "%g %g", 1.0, 2.0);
 	prints(a, ANSWER_TABLE, 1, "  what    at\n  P50 mm   3\n");
 	prints(a, ANSWER_CSV, 2, "command,x\ntry,1\ntry,2\n");
@@ -148,11 +148,12 @@ warnings_are_counted(void **state)
 {
 	(void)state;
 	struct answer *a = answer_new("try");
-	assert_true(isnan(answer_find_number(a, "warnings")));
-	answer_say(a, ANSWER_REMARK, "the feed is that of %g m/s", 74.0);
-	assert_true(answer_find_number(a, "warnings") == 0);
-	answer_say(a, ANSWER_WARNING, "extrapolated");
-	assert_true(answer_find_number(a, "warnings") == 1);
+	assert_true(isnan(answer_find_json_number(a, "warnings")));
+	answer_add_sentence(
+	    a, ANSWER_REMARK, "the feed is that of %g m/s", 74.0);
+	assert_true(answer_find_json_number(a, "warnings") == 0);
+	answer_add_sentence(a, ANSWER_WARNING, "extrapolated");
+	assert_true(answer_find_json_number(a, "warnings") == 1);
 	answer_free(a);
 }
 
@@ -162,10 +163,10 @@ differences_have_a_sign(void **state)
 {
 	(void)state;
 	struct answer *a = answer_new("try");
-	answer_columns(a, "difference");
+	answer_add_columns(a, "difference");
 	answer_add_cells(a, "%+.1f %+.1f", 1.25, -1.25);
 	answer_add_cells(a, "%+.1f %+.1f", 0.01, -0.01);
-	answer_set_missing(a, "");
+	answer_set_missing_text(a, "");
 	answer_add_cells(a, "%+.1f %.1f", NAN, -0.01);
 	prints(a, ANSWER_CSV, 6,
 	    "command,difference\ntry,1.25\ntry,-1.25\n"
@@ -188,12 +189,12 @@ text_leaves_out_columns_that_can_be_spared(void **state)
 	FREED char *wide = xcalloc(WIDE + 1, 1);
 	for (int i = 0; i < WIDE; i++)
 		wide[i] = 'w';
-	answer_optional_column(a, SECOND, SECOND, 2);
-	answer_optional_column(a, FIRST, FIRST, 1);
-	answer_optional_column(a, "needed", "needed", 0);
+	answer_add_optional_column(a, SECOND, SECOND, 2);
+	answer_add_optional_column(a, FIRST, FIRST, 1);
+	answer_add_optional_column(a, "needed", "needed", 0);
 	answer_add_cells(a, "%s %s %g", wide, wide, 1.0);
-	answer_note_column(a, SECOND, "of the second");
-	answer_note_column(a, FIRST, "of the first");
+	answer_note_on_column(a, SECOND, "of the second");
+	answer_note_on_column(a, FIRST, "of the first");
 	FREED char *text = xasprintf("  first%*s  needed\n  %s       1\n"
 				     "left out for lack of room: second\n"
 				     "of the first\n",

@@ -53,7 +53,8 @@ static uint64_t
 add_table(uint64_t digest, const struct site *site, struct forecast *r)
 {
 	struct fraction whole = {0};
-	struct prediction p = predict_table(site, SITE_MEAN_FEED, &whole, r);
+	struct prediction p =
+	    predict_at_table_sieves(site, SITE_MEAN_FEED, &whole, r);
 	size_t n = p.product.n;
 	digest = add(digest, p.product.passing, n);
 	digest = add(digest, p.model, n);
@@ -71,7 +72,7 @@ digest_of(const struct site *site, const struct fit *fit,
 {
 	struct fraction whole = {0};
 	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
-	struct psd sizes = predict_table_sizes(site, feed);
+	struct psd sizes = predict_list_table_sieves(site, feed);
 	size_t n;
 	struct quantity *asked =
 	    predict_table_quantities(site, feed, &whole, &n);
@@ -80,7 +81,7 @@ digest_of(const struct site *site, const struct fit *fit,
 	struct ensemble *e = ensemble_new(posterior, feed, sizes.size, sizes.n);
 	uint64_t digest = TEXT_DIGEST_START;
 	for (size_t i = 0; i < ARRAY_LEN(SPEED); i++) {
-		forecast_move(r, e, ENSEMBLE_ANSWER, SPEED[i]);
+		forecast_move_to_speed(r, e, ENSEMBLE_ANSWER, SPEED[i]);
 		digest = add_table(digest, site, r);
 	}
 	free(asked);
@@ -132,7 +133,8 @@ impacts_of(const char *path)
 	struct error_list errors = {0};
 	struct collisions c;
 	assert_true(collisions_read(path, &way, &c, &errors));
-	struct impacts impacts = spectrum_reduce_to_impacts(c.spectrum, 10);
+	struct impacts impacts =
+	    spectrum_group_impacts_by_energy(c.spectrum, 10);
 	collisions_clear(&c);
 	return impacts;
 }

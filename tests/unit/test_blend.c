@@ -76,8 +76,8 @@ its_product_is_the_blend_of_products(void **state)
 		const struct psd *from = k < 2 ? feed[k] : &blend;
 		struct model *model = model_new(
 		    from, blend.size, blend.n, model_settings_default());
-		model_use_params(model, &p);
-		model_product(model, 74, k < 2 ? one[k] : got);
+		model_set_params(model, &p);
+		model_compute_product(model, 74, k < 2 ? one[k] : got);
 		model_free(model);
 	}
 	for (size_t i = 0; i < blend.n; i++)
@@ -107,8 +107,8 @@ another_machine(void **state)
 		struct model *m =
 		    model_new(feed, feed->size, feed->n, settings[k]);
 		product[k] = xcalloc_doubles(feed->n);
-		model_use_params(m, k < 3 ? &p : &strong);
-		model_product(m, 77, product[k]);
+		model_set_params(m, k < 3 ? &p : &strong);
+		model_compute_product(m, 77, product[k]);
 		model_free(m);
 	}
 	for (size_t k = 0; k < feed->n; k++) {
@@ -140,13 +140,13 @@ the_mean_of_feeds(void **state)
 		expect_near("sieve", mean.size[i], size_b[i], 0);
 		expect_near("passing", mean.passing[i], want[i], 1e-12);
 	}
-	expect_near(
-	    "spread", blend_largest_difference(feed, 3, &sieve), 0.2, 1e-12);
+	expect_near("spread", blend_largest_feed_difference(feed, 3, &sieve),
+	    0.2, 1e-12);
 	psd_free(&mean);
 	mean = blend_mean_of_feeds(&feed[1], 2);
 	assert_true(psd_is_same(&mean, &b));
 	expect_near(
-	    "none", blend_largest_difference(&feed[1], 2, &sieve), 0, 0);
+	    "none", blend_largest_feed_difference(&feed[1], 2, &sieve), 0, 0);
 	psd_free(&mean);
 }
 

@@ -13,13 +13,14 @@ new_answer(void)
 {
 	struct answer *a = answer_new("predict");
 	answer_set_site(a, "Tierp", "made up; in a test");
-	answer_title(a, "=Tierp, %s", "74 m/s");
-	answer_columns(a, "sieve_mm: sieve mm, passing_pct: product %%, note");
+	answer_set_title(a, "=Tierp, %s", "74 m/s");
+	answer_add_columns(
+	    a, "sieve_mm: sieve mm, passing_pct: product %%, note");
 	answer_add_cells(a, "%g %.1f %s", 22.4, 100.0, "=1+1");
 	answer_add_cells(a, "%g %.1f %s", 4.0, 65.72341, "-");
 	answer_add_cells(a, "%g %.1f %s", 0.063, (double)NAN, "b");
 	answer_note(a, "plain");
-	answer_say(a, ANSWER_WARNING, "do not");
+	answer_add_sentence(a, ANSWER_WARNING, "do not");
 	return a;
 }
 
@@ -31,8 +32,8 @@ new_bytes(size_t *n)
 	struct book *b = book_new(&error);
 	assert_non_null(b);
 	assert_int_equal(book_count_sheets(b), 0);
-	assert_int_equal(book_add_answer(b, a), 3);
-	assert_int_equal(book_add_answer(b, a), 3);
+	assert_int_equal(book_add_answer_worksheet(b, a), 3);
+	assert_int_equal(book_add_answer_worksheet(b, a), 3);
 	assert_int_equal(book_count_sheets(b), 2);
 	assert_true(book_has_site(b));
 	book_add_about_line(b, "command", "predict 74");
@@ -134,7 +135,7 @@ text_becomes_cells(void **state)
 	struct error error = {0};
 	struct book *b = book_new(&error);
 	size_t n;
-	book_add_text(b, "template",
+	book_add_text_worksheet(b, "template",
 	    "\"# a, b\"\nsite,\nsize_mm,feed,product@69\n8,100,\n");
 	char *bytes = book_finish_to_bytes(b, &n, &error);
 	assert_non_null(bytes);
@@ -150,7 +151,7 @@ text_becomes_cells(void **state)
 	source_free(&source);
 	/* Given up on the way. */
 	b = book_new(&error);
-	book_add_text(b, "template", "a\n");
+	book_add_text_worksheet(b, "template", "a\n");
 	book_free(b);
 	book_free(NULL);
 }

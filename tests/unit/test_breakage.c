@@ -173,8 +173,8 @@ products_are_those_of_the_formulas(void **state)
 			enum method method = (enum method)(k % 2);
 			struct model *model = model_new(
 			    &feed, feed.size, feed.n, settings_of(m, method));
-			model_use_params(model, &p);
-			model_product(model, v, got);
+			model_set_params(model, &p);
+			model_compute_product(model, v, got);
 			if (method == METHOD_CLASSES)
 				plain_classes(&feed, &p, v, want);
 			else
@@ -200,17 +200,17 @@ check_jacobian(size_t m, int k, struct draw *draw)
 	struct model *model = model_new(
 	    &feed, feed.size, feed.n, settings_of(m, (enum method)(k % 2)));
 	size_t n = BREAKAGES[m]->n;
-	model_use_params(model, &p);
+	model_set_params(model, &p);
 	model_jacobian(model, 75, up, J);
 	for (size_t j = 0; j < n; j++) {
 		struct params q = p;
 		double h = 1e-5 * fmax(fabs(p.at[j]), 0.01);
 		q.at[j] = p.at[j] + h;
-		model_use_params(model, &q);
-		model_product(model, 75, up);
+		model_set_params(model, &q);
+		model_compute_product(model, 75, up);
 		q.at[j] = p.at[j] - h;
-		model_use_params(model, &q);
-		model_product(model, 75, down);
+		model_set_params(model, &q);
+		model_compute_product(model, 75, down);
 		/* The reference energy is never searched. */
 		for (size_t i = 0; i < feed.n && j != BREAKAGES[m]->reference;
 		     i++) {
@@ -319,10 +319,10 @@ extensions_at_zero_change_nothing(void **state)
 		for (int method = 0; method < 2; method++) {
 			struct model *model = model_new(&feed, feed.size,
 			    feed.n, settings_of(m, (enum method)method));
-			model_use_params(model, &p);
-			model_product(model, 77, want);
-			model_use_params(model, &q);
-			model_product(model, 77, got);
+			model_set_params(model, &p);
+			model_compute_product(model, 77, want);
+			model_set_params(model, &q);
+			model_compute_product(model, 77, got);
 			for (size_t i = 0; i < feed.n; i++)
 				expect_near(
 				    BREAKAGES[m]->name, got[i], want[i], 1e-6);
@@ -348,7 +348,7 @@ search_of(size_t m, const struct params *truth)
 	    .n = 1,
 	    .n_speed = 3,
 	    .speed = speed};
-	struct site *site = synth_site(&synth);
+	struct site *site = synth_make_site(&synth);
 	struct calibrate_options o = calibrate_options_default();
 	o.settings.breakage = (unsigned)m;
 	o.bounds = bounds_default(m);
@@ -441,7 +441,8 @@ rows_are_whole(void **state)
 			assert_true(p->upper <= p->most);
 		}
 		struct params p = params_start_values(m);
-		char *S = selection_text(&p, &(struct model_settings){.k = 1});
+		char *S = selection_formula_text(
+		    &p, &(struct model_settings){.k = 1});
 		char *B = of->appearance_text(&p);
 		assert_true(strlen(S) > 10 && strlen(B) > 10);
 		free(S);

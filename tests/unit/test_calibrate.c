@@ -424,14 +424,15 @@ near_a_bound_is_not_on_it(void **state)
 	    {0.995, false}, {0.005, false}, {5e-7, true}, {0, true}};
 	struct bounds b = bounds_default(0);
 	struct params p = {.beta = {1000, 0, 0, 0}, .f_mat = 1};
-	assert_false(sensitivity_is_on_bound(&b, &p, 0));
+	assert_false(sensitivity_is_param_on_bound(&b, &p, 0));
 	for (size_t i = 0; i < ARRAY_LEN(AT); i++) {
 		p.alpha = AT[i].alpha;
 		assert_int_equal(
-		    sensitivity_is_on_bound(&b, &p, PARAM_ALPHA), AT[i].on);
+		    sensitivity_is_param_on_bound(&b, &p, PARAM_ALPHA),
+		    AT[i].on);
 	}
 	b.lower[PARAM_ALPHA] = b.upper[PARAM_ALPHA] = p.alpha;
-	assert_false(sensitivity_is_on_bound(&b, &p, PARAM_ALPHA));
+	assert_false(sensitivity_is_param_on_bound(&b, &p, PARAM_ALPHA));
 }
 
 int

@@ -67,7 +67,8 @@ percentiles_are_those_of_the_candidates(void **state)
 	(void)state;
 	struct searched s = search(GENERATIONS, POPULATION);
 	size_t n;
-	const struct calibrate_generation *g = calibration_generations(s.c, &n);
+	const struct calibrate_generation *g =
+	    calibration_generation_history(s.c, &n);
 	struct model_settings settings = model_settings_default();
 	struct misfit *m = misfit_new(s.site, s.train, NULL, false, settings);
 	double *d = xcalloc_doubles(m->n_residual * CALIBRATE_KEPT);
@@ -75,7 +76,7 @@ percentiles_are_those_of_the_candidates(void **state)
 	       *best = xcalloc_doubles(m->n_residual);
 	assert_int_equal(n, GENERATIONS);
 	for (size_t at = 0; at < n; at += 3) {
-		struct candidates c = candidates_residual_spread(
+		struct candidates c = candidates_compute_residuals(
 		    s.site, s.train, settings, ISA_BEST, &g[at], &g[at].params);
 		assert_int_equal(c.n, m->n_residual);
 		assert_int_equal(g[at].n_kept, CALIBRATE_KEPT);
@@ -113,10 +114,12 @@ cells_are_of_the_training_runs(void **state)
 	(void)state;
 	struct searched s = search(1, POPULATION);
 	size_t n;
-	const struct calibrate_generation *g = calibration_generations(s.c, &n);
-	struct candidates c = candidates_residual_spread(
+	const struct calibrate_generation *g =
+	    calibration_generation_history(s.c, &n);
+	struct candidates c = candidates_compute_residuals(
 	    s.site, s.train, model_settings_default(), ISA_BEST, g, &g->params);
-	const struct candidates_cell *worst = candidates_worst_cell(&c);
+	const struct candidates_cell *worst =
+	    candidates_largest_residual_cell(&c);
 	for (size_t k = 0; k < c.n; k++) {
 		assert_true(s.train[c.cell[k].run]);
 		assert_true(fabs(c.cell[k].median) <= fabs(worst->median));
@@ -137,7 +140,7 @@ break_sizes_are_those_of_the_impacts(void **state)
 	struct searched s = search(6, POPULATION);
 	size_t n;
 	const struct calibrate_generation *g =
-	    calibration_generations(s.c, &n) + 5;
+	    calibration_generation_history(s.c, &n) + 5;
 	struct model_settings settings = model_settings_default();
 	settings.impacts = (struct impacts){
 	    .n = 2, .number = 4, .share = {0.7, 0.3}, .ratio = {0.2, 1.6}};
@@ -148,7 +151,7 @@ break_sizes_are_those_of_the_impacts(void **state)
 		    &p, &settings, s.site->run[0].speed);
 	}
 	qsort(size, CALIBRATE_KEPT, sizeof *size, compare);
-	struct candidates c = candidates_residual_spread(
+	struct candidates c = candidates_compute_residuals(
 	    s.site, s.train, settings, ISA_BEST, g, &g->params);
 	assert_int_equal(g->n_kept, CALIBRATE_KEPT);
 	for (size_t k = 0; k < 3; k++) {
@@ -168,16 +171,16 @@ beta_is_scaled_as_it_is_reported(void **state)
 	struct searched s = search(6, POPULATION);
 	size_t n;
 	const struct calibrate_generation *g =
-	    calibration_generations(s.c, &n) + 5;
+	    calibration_generation_history(s.c, &n) + 5;
 	double low, high, least = INFINITY, most = -INFINITY;
 	for (size_t j = 0; j < 4; j++) {
-		candidates_middle_range_of_param(g, j, &low, &high);
+		candidates_p10_p90_of_param(g, j, &low, &high);
 		assert_true(low >= -1 && low <= high && high <= 1);
 		least = fmin(least, low);
 		most = fmax(most, high);
 	}
 	assert_true(most == 1 || least == -1);
-	candidates_middle_range_of_param(g, 4, &low, &high);
+	candidates_p10_p90_of_param(g, 4, &low, &high);
 	size_t below = 0;
 	for (size_t i = 0; i < g->n_kept; i++)
 		below += (double)g->kept[4][i] < low;
@@ -192,9 +195,10 @@ a_small_population_keeps_what_it_has(void **state)
 	(void)state;
 	struct searched s = search(3, 16);
 	size_t n;
-	const struct calibrate_generation *g = calibration_generations(s.c, &n);
+	const struct calibrate_generation *g =
+	    calibration_generation_history(s.c, &n);
 	assert_in_range(g[2].n_kept, 8, 15);
-	struct candidates c = candidates_residual_spread(s.site, s.train,
+	struct candidates c = candidates_compute_residuals(s.site, s.train,
 	    model_settings_default(), ISA_BEST, &g[2], &g[2].params);
 	for (size_t k = 0; k < c.n; k++)
 		assert_true(c.cell[k].p10 <= c.cell[k].median &&

@@ -37,10 +37,10 @@ text_is_cut_at_every_edge(void **state)
 {
 	(void)state;
 	struct canvas *c = canvas_new(5, 2);
-	canvas_put_text(c, 3, 0, "abc", SERIES_TEXT, 0);
-	canvas_put_text(c, -1, 1, "xyz", SERIES_TEXT, 0);
-	canvas_put_text(c, 0, 2, "below", SERIES_TEXT, 0);
-	canvas_put_text(c, 0, -1, "above", SERIES_TEXT, 0);
+	canvas_draw_text(c, 3, 0, "abc", SERIES_TEXT, 0);
+	canvas_draw_text(c, -1, 1, "xyz", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, 2, "below", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, -1, "above", SERIES_TEXT, 0);
 	expect(c, 0, "   ab\nyz\n");
 	canvas_free(c);
 }
@@ -50,7 +50,7 @@ every_length_of_utf8_comes_back(void **state)
 {
 	(void)state;
 	struct canvas *c = canvas_new(6, 1);
-	canvas_put_text(c, 0, 0, "aö\u2588\U0001D465", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, 0, "aö\u2588\U0001D465", SERIES_TEXT, 0);
 	assert_int_equal(canvas_cell_at(c, 1, 0)->code, 0xF6);
 	assert_int_equal(canvas_cell_at(c, 2, 0)->code, 0x2588);
 	expect(c, 0, "aö\u2588\U0001D465\n");
@@ -62,7 +62,7 @@ broken_utf8_and_controls_harm_nothing(void **state)
 {
 	(void)state;
 	struct canvas *c = canvas_new(22, 1);
-	canvas_put_text(c, 0, 0, "a\xFF\xE2\x82\nb\u202E", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, 0, "a\xFF\xE2\x82\nb\u202E", SERIES_TEXT, 0);
 	expect(c, 0, "a\\xff\\xe2\\x82\\x0ab\\u20\n");
 	canvas_free(c);
 }
@@ -74,7 +74,7 @@ wide_characters_take_two_cells_or_none(void **state)
 	if (setlocale(LC_CTYPE, "C.UTF-8") == NULL)
 		skip();
 	struct canvas *c = canvas_new(4, 1);
-	canvas_put_text(c, 0, 0, "a\u77F3b\u77F3", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, 0, "a\u77F3b\u77F3", SERIES_TEXT, 0);
 	assert_int_equal(canvas_cell_at(c, 2, 0)->code, 0);
 	expect(c, 0, "a\u77F3b\n");
 	canvas_free(c);
@@ -85,14 +85,14 @@ no_depth_no_escapes(void **state)
 {
 	(void)state;
 	struct canvas *c = canvas_new(9, 1);
-	canvas_put_text(c, 0, 0, "feed", SERIES_FEED, CELL_BOLD);
-	canvas_put_text(c, 5, 0, "text", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, 0, "feed", SERIES_FEED, CELL_BOLD);
+	canvas_draw_text(c, 5, 0, "text", SERIES_TEXT, 0);
 	expect(c, 0, "feed text\n");
 	expect(c, 8, "\033[0;1mfeed\033[0m text\n");
 	expect(c, 256, "\033[0;1;38;5;243mfeed\033[0m text\n");
-	canvas_put_text(c, 0, 0, "pred", SERIES_PREDICTED, 0);
+	canvas_draw_text(c, 0, 0, "pred", SERIES_PREDICTED, 0);
 	expect(c, 16, "\033[0;91mpred\033[0m text\n");
-	canvas_put_text(c, 0, 0, "meas", SERIES_MEASURED_1, CELL_DIM);
+	canvas_draw_text(c, 0, 0, "meas", SERIES_MEASURED_1, CELL_DIM);
 	expect(c, 8, "\033[0;1;34mmeas\033[0m text\n");
 	expect(c, 16, "\033[0;94mmeas\033[0m text\n");
 	expect(c, 256, "\033[0;2;38;5;32mmeas\033[0m text\n");

@@ -40,8 +40,8 @@ a_run_of_text_is_as_long_as_its_cells(void **state)
 {
 	(void)state;
 	struct canvas *c = canvas_new(30, 2);
-	canvas_put_text(c, 1, 0, "two words  apart", SERIES_TEXT, 0);
-	canvas_put_text(c, 0, 1, "\u5c71<", SERIES_TEXT, 0);
+	canvas_draw_text(c, 1, 0, "two words  apart", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, 1, "\u5c71<", SERIES_TEXT, 0);
 	char *svg = drawn(c, 0);
 	assert_int_equal(count(svg, "<text "), 3);
 	assert_non_null(strstr(svg, "textLength=\"54\">two words<"));
@@ -57,7 +57,7 @@ every_dot_of_braille_is_drawn(void **state)
 {
 	(void)state;
 	struct canvas *c = canvas_new(3, 1);
-	canvas_put_text(c, 0, 0, "\u28ff\u2801\u2800", SERIES_FEED, 0);
+	canvas_draw_text(c, 0, 0, "\u28ff\u2801\u2800", SERIES_FEED, 0);
 	char *svg = drawn(c, 256);
 	assert_int_equal(count(svg, "<text "), 0);
 	assert_int_equal(count(svg, "h0"), 9);
@@ -71,7 +71,7 @@ quarters_fill_their_part(void **state)
 	(void)state;
 	/* A full cell, then its lower right quarter. */
 	struct canvas *c = canvas_new(2, 1);
-	canvas_put_text(c, 0, 0, "\u2588\u2597", SERIES_FEED, 0);
+	canvas_draw_text(c, 0, 0, "\u2588\u2597", SERIES_FEED, 0);
 	char *svg = drawn(c, 0);
 	assert_non_null(strstr(svg, "stroke-width=\"6\""));
 	assert_non_null(strstr(svg, "\"M8 11h6M8 17h6M17 17h3\""));
@@ -83,8 +83,8 @@ lines_join_and_corners_are_square(void **state)
 {
 	(void)state;
 	struct canvas *c = canvas_new(4, 2);
-	canvas_put_text(c, 0, 0, "\u2502", SERIES_TEXT, 0);
-	canvas_put_text(c, 0, 1, "\u2514\u2500\u2500\u2500", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, 0, "\u2502", SERIES_TEXT, 0);
+	canvas_draw_text(c, 0, 1, "\u2514\u2500\u2500\u2500", SERIES_TEXT, 0);
 	char *svg = drawn(c, 0);
 	assert_non_null(strstr(svg, "\"M11 8L11 20M11 20L11 26M11 26h21\""));
 	free(svg);
@@ -95,7 +95,7 @@ reverse_has_a_ground(void **state)
 {
 	(void)state;
 	struct canvas *c = canvas_new(3, 1);
-	canvas_put_text(c, 0, 0, " a ", SERIES_TEXT, CELL_REVERSE | CELL_BOLD);
+	canvas_draw_text(c, 0, 0, " a ", SERIES_TEXT, CELL_REVERSE | CELL_BOLD);
 	char *svg = drawn(c, 0);
 	assert_non_null(strstr(svg, "stroke-width=\"12\" d=\"M8 14h18\""));
 	assert_non_null(strstr(svg, "fill=\"#161b22\" textLength=\"6\""));
@@ -109,7 +109,7 @@ dim_is_faint_where_terminals_have_it(void **state)
 	(void)state;
 	for (int depth = 0; depth <= 256; depth += 256) {
 		struct canvas *c = canvas_new(2, 1);
-		canvas_put_text(c, 0, 0, "a\u2500", SERIES_TEXT, CELL_DIM);
+		canvas_draw_text(c, 0, 0, "a\u2500", SERIES_TEXT, CELL_DIM);
 		char *svg = drawn(c, depth);
 		assert_int_equal(count(svg, "-opacity="), depth > 0 ? 2 : 0);
 		free(svg);

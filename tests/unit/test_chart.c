@@ -33,7 +33,7 @@ static struct chart *
 with(struct chart_series look)
 {
 	struct chart *chart = empty();
-	struct chart_series *s = chart_add(chart, look, N, "curve");
+	struct chart_series *s = chart_append_series(chart, look, N, "curve");
 	memcpy(s->x, SIEVES, sizeof SIEVES);
 	memcpy(s->y, PASSING, sizeof PASSING);
 	return chart;
@@ -51,9 +51,9 @@ any_size_is_exact_and_safe(void **state)
 	static const int sizes[][2] = {{20, 5}, {300, 100}, {1, 1}, {2, 3},
 	    {40, 12}, {80, 24}, {7, 40}, {300, 3}, {11, 6}};
 	struct chart *chart = with(SOLID);
-	series_add_band(chart->series[0]);
-	chart_add_rule(chart, SERIES_BREAK, 5, "break");
-	chart_note(chart, "a note of some words that are wrapped");
+	series_allocate_band(chart->series[0]);
+	chart_add_vertical_rule(chart, SERIES_BREAK, 5, "break");
+	chart_add_note(chart, "a note of some words that are wrapped");
 	for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
 		for (size_t c = 0; c < 6; c++) {
 			struct canvas *canvas = chart_draw(chart, sizes[i][0],
@@ -211,7 +211,7 @@ a_mark_has_the_one_cell_of_its_value(void **state)
 	for (int rows = 4; rows < 40; rows += 5)
 		for (double y = 1.7; y < 100; y += 5.9) {
 			struct chart *chart = empty();
-			struct chart_series *s = chart_add(chart,
+			struct chart_series *s = chart_append_series(chart,
 			    (struct chart_series){.series = SERIES_MEASURED_1,
 				.line = CHART_MARKS,
 				.mark = '+',
@@ -284,8 +284,8 @@ bars_stand_side_by_side(void **state)
 			look.beside = k;
 			look.series = (enum series)(SERIES_MEASURED_1 + k);
 			struct chart_series *s =
-			    chart_add(chart, look, 1, "bar %d", k);
-			series_add_band(s);
+			    chart_append_series(chart, look, 1, "bar %d", k);
+			series_allocate_band(s);
 			s->x[0] = 1;
 			s->low[0] = 20;
 			s->high[0] = 80;
@@ -311,14 +311,14 @@ a_lifted_mark_stands_out_of_its_bar(void **state)
 	(void)state;
 	for (size_t k = 0; k < 3; k++) {
 		struct chart *chart = empty();
-		struct chart_series *bar = chart_add(chart,
+		struct chart_series *bar = chart_append_series(chart,
 		    (struct chart_series){.series = SERIES_MEASURED_1,
 			.line = CHART_LONG,
 			.ascii = '#',
 			.bars = true},
 		    1, "bar");
-		series_add_band(bar);
-		struct chart_series *best = chart_add(chart,
+		series_allocate_band(bar);
+		struct chart_series *best = chart_append_series(chart,
 		    (struct chart_series){.series = SERIES_PREDICTED,
 			.mark = 'v',
 			.lifted = true},
@@ -453,7 +453,7 @@ a_hollow_mark_is_seen_in_front(void **state)
 	for (int k = 0; k < 2; k++) {
 		struct chart *chart = empty();
 		for (int i = 0; i < 2; i++) {
-			struct chart_series *s = chart_add(chart,
+			struct chart_series *s = chart_append_series(chart,
 			    (struct chart_series){.line = CHART_MARKS,
 				.series = (enum series)(SERIES_MEASURED_1 + i),
 				.mark = k == i ? 'O' : '+',
@@ -487,7 +487,7 @@ banded(enum charset charset, double points, uint32_t code)
 	look.series = SERIES_PREDICTED;
 	struct chart *chart = with(look);
 	struct chart_series *s = chart->series[0];
-	series_add_band(s);
+	series_allocate_band(s);
 	for (size_t i = 0; i < N; i++) {
 		s->low[i] = fmax(0, s->y[i] - points);
 		s->high[i] = fmin(100, s->y[i] + points);
@@ -551,11 +551,13 @@ values_are_read_off_straight_on_the_log(void **state)
 	(void)state;
 	struct chart *chart = with(SOLID);
 	const struct chart_series *s = chart->series[0];
-	assert_true(fabs(chart_y_at(chart, s, sqrt(2 * 4)) - 50) < 1e-9);
-	assert_true(fabs(chart_x_at(chart, s, 50) - sqrt(2 * 4)) < 1e-9);
-	assert_true(fabs(chart_y_at(chart, s, 22.4) - 100) < 1e-9);
-	assert_true(isnan(chart_y_at(chart, s, 30)));
-	assert_true(isnan(chart_x_at(chart, s, 0.5)));
+	assert_true(
+	    fabs(chart_series_y_at_x(chart, s, sqrt(2 * 4)) - 50) < 1e-9);
+	assert_true(
+	    fabs(chart_series_x_at_y(chart, s, 50) - sqrt(2 * 4)) < 1e-9);
+	assert_true(fabs(chart_series_y_at_x(chart, s, 22.4) - 100) < 1e-9);
+	assert_true(isnan(chart_series_y_at_x(chart, s, 30)));
+	assert_true(isnan(chart_series_x_at_y(chart, s, 0.5)));
 	chart_free(chart);
 }
 
@@ -567,12 +569,12 @@ values_are_read_off_a_log_axis_as_drawn(void **state)
 	(void)state;
 	struct chart *chart = chart_new("search", "",
 	    axis_new_linear("x", 0, 2), axis_new_log("y", 0.1, 100));
-	struct chart_series *s = chart_add(chart, SOLID, 2, "curve");
+	struct chart_series *s = chart_append_series(chart, SOLID, 2, "curve");
 	const double x[] = {0, 1}, y[] = {100, 1};
 	memcpy(s->x, x, sizeof x);
 	memcpy(s->y, y, sizeof y);
-	assert_true(fabs(chart_y_at(chart, s, 0.5) - 10) < 1e-9);
-	assert_true(fabs(chart_x_at(chart, s, 10) - 0.5) < 1e-9);
+	assert_true(fabs(chart_series_y_at_x(chart, s, 0.5) - 10) < 1e-9);
+	assert_true(fabs(chart_series_x_at_y(chart, s, 10) - 0.5) < 1e-9);
 	chart_free(chart);
 }
 
@@ -584,8 +586,8 @@ fields_are_shaded_and_labelled(void **state)
 	struct axis x = {.title = strdup("a"), .low = 0.5, .high = 2.5},
 		    y = {.title = strdup("b"), .low = 0.5, .high = 1.5};
 	struct chart *chart = chart_new("title", "made up", x, y);
-	struct chart_series *s =
-	    chart_add(chart, (struct chart_series){.mark = '+'}, 2, "fields");
+	struct chart_series *s = chart_append_series(
+	    chart, (struct chart_series){.mark = '+'}, 2, "fields");
 	s->field = calloc(2, sizeof *s->field);
 	for (size_t i = 0; i < 2; i++) {
 		s->x[i] = (double)i + 1;
@@ -624,7 +626,7 @@ bare_data_have_all_cells(void **state)
 	struct axis x = {.title = strdup("a"), .low = 0.5, .high = 4.5},
 		    y = axis_new_linear("b", 0, 2);
 	struct chart *chart = chart_new("title", "made up", x, y);
-	struct chart_series *s = chart_add(chart, SOLID, 4, "curve");
+	struct chart_series *s = chart_append_series(chart, SOLID, 4, "curve");
 	for (size_t i = 0; i < 4; i++) {
 		s->x[i] = (double)i + 1;
 		s->y[i] = i < 2 ? 0 : 2;

@@ -42,12 +42,12 @@ impacts_tell_of_particles(void **state)
 	assert_int_equal(c.impacts, 4);
 	assert_int_equal(c.spectrum->n, 3);
 	assert_true(c.spectrum->counted && c.spectrum->ordered);
-	struct spectrum_size *all = spectrum_merge_sizes(c.spectrum);
+	struct spectrum_size *all = spectrum_sum_over_sizes(c.spectrum);
 	near(all->particles, 3);
 	near(all->mass, 1.34e-4);
-	near(spectrum_impacts_above(all, 0, false).energy,
+	near(spectrum_impacts_above_energy(all, 0, false).energy,
 	    4e-6 * (1800 + 50 + 89) + 3e-5 * 11);
-	near(spectrum_impacts_above(all, 0, true).energy, 0.0072);
+	near(spectrum_impacts_above_energy(all, 0, true).energy, 0.0072);
 	free(all);
 	collisions_clear(&c);
 }
@@ -77,8 +77,9 @@ tables_are_read_by_their_heads(void **state)
 		struct error_list errors;
 		bool weighed = i == 4;
 		assert_true(take(same[i].text, *same[i].way, &c, &errors));
-		struct spectrum_size *all = spectrum_merge_sizes(c.spectrum);
-		struct spectrum_bin sum = spectrum_impacts_above(all, 0, false);
+		struct spectrum_size *all = spectrum_sum_over_sizes(c.spectrum);
+		struct spectrum_bin sum =
+		    spectrum_impacts_above_energy(all, 0, false);
 		near(sum.energy / sum.mass, weighed ? 700.0 / 3 : 200);
 		assert_false(c.spectrum->counted);
 		free(all);
@@ -104,14 +105,16 @@ what_is_written_is_read_again(void **state)
 	near(again.spectrum->speed, 69);
 	assert_int_equal(again.impacts, c.impacts);
 	assert_true(again.spectrum->counted && again.spectrum->ordered);
-	struct spectrum_size *a = spectrum_merge_sizes(c.spectrum);
-	struct spectrum_size *b = spectrum_merge_sizes(again.spectrum);
+	struct spectrum_size *a = spectrum_sum_over_sizes(c.spectrum);
+	struct spectrum_size *b = spectrum_sum_over_sizes(again.spectrum);
 	near(b->mass, a->mass);
 	for (size_t first = 0; first < 2; first++)
 		for (double cut = 0; cut < 2000; cut += 20)
-			near(spectrum_impacts_above(b, cut, first == 1).energy +
+			near(spectrum_impacts_above_energy(b, cut, first == 1)
+				     .energy +
 				 1,
-			    spectrum_impacts_above(a, cut, first == 1).energy +
+			    spectrum_impacts_above_energy(a, cut, first == 1)
+				    .energy +
 				1);
 	free(a);
 	free(b);

@@ -18,7 +18,7 @@ static char *
 offered(struct desk *desk, const char *line, size_t *start)
 {
 	struct completion *c =
-	    complete_at_cursor(desk->session, line, strlen(line));
+	    find_completions_at_cursor(desk->session, line, strlen(line));
 	char *list = xstrdup("");
 	for (size_t i = 0; i < c->n; i++) {
 		char after[2] = {c->candidate[i].append, '\0'};
@@ -233,11 +233,12 @@ only_what_is_before_the_cursor_counts(void **state)
 {
 	struct desk *desk = *state;
 	struct completion *c =
-	    complete_at_cursor(desk->session, "predi speed=74", 5);
+	    find_completions_at_cursor(desk->session, "predi speed=74", 5);
 	assert_int_equal(c->n, 1);
 	assert_string_equal(c->candidate[0].text, "predict");
 	completion_free(c);
-	c = complete_at_cursor(desk->session, "calibrate polish=\"off\"", 17);
+	c = find_completions_at_cursor(
+	    desk->session, "calibrate polish=\"off\"", 17);
 	assert_int_equal(c->n, 2);
 	completion_free(c);
 }
@@ -349,8 +350,8 @@ any_line_at_any_cursor(void **state)
 	add(desk, TIERP);
 	for (size_t i = 0; i < ARRAY_LEN(lines); i++)
 		for (size_t at = 0; at <= strlen(lines[i]); at++) {
-			struct completion *c =
-			    complete_at_cursor(desk->session, lines[i], at);
+			struct completion *c = find_completions_at_cursor(
+			    desk->session, lines[i], at);
 			assert_true(c->start <= at);
 			for (size_t j = 1; j < c->n; j++)
 				assert_true(strcmp(c->candidate[j - 1].text,

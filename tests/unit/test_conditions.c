@@ -108,11 +108,11 @@ a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
 	(void)state;
 	assert_true(all->n > 10);
 	for (size_t i = 0; i < all->n; i++)
-		assert_false(goals_is_condition(all->spec[i]->name));
+		assert_false(goals_is_condition_text(all->spec[i]->name));
 	for (size_t i = 0; i < ARRAY_LEN(QUANTITIES); i++)
-		assert_true(goals_is_condition(QUANTITIES[i]));
-	assert_false(goals_is_condition("p80.csv"));
-	assert_false(goals_is_condition("fines.csv"));
+		assert_true(goals_is_condition_text(QUANTITIES[i]));
+	assert_false(goals_is_condition_text("p80.csv"));
+	assert_false(goals_is_condition_text("fines.csv"));
 	standards_free(all);
 }
 
@@ -121,7 +121,7 @@ a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
 static char *
 offered(size_t n)
 {
-	char *text = xstrdup(quantities_completion_offer(n));
+	char *text = xstrdup(quantities_nth_completion(n));
 	text[strcspn(text, "<>=")] = '\0';
 	if (text[strlen(text) - 1] == ' ')
 		xappend(&text, "2 mm");
@@ -135,7 +135,7 @@ read_as_typed(const char *text)
 	struct error error = {0};
 	if (!quantities_parse_one(text, &WHOLE.partition, &q, &error))
 		fail_msg("%s: %s", text, error.text);
-	FREED char *typed = quantities_typed_text(&q);
+	FREED char *typed = quantities_text_to_type(&q);
 	assert_string_equal(typed, text);
 	return q;
 }
@@ -147,13 +147,13 @@ every_kind_is_offered_and_typed_as_it_is_read(void **state)
 	    "abcdefghijklmnopqrstuvwxyz_0123456789.EN";
 	bool seen[QUANTITY_STEP] = {false};
 	(void)state;
-	for (size_t n = 0; quantities_completion_offer(n) != NULL; n++) {
+	for (size_t n = 0; quantities_nth_completion(n) != NULL; n++) {
 		FREED char *text = offered(n);
 		struct quantity q = read_as_typed(text);
 		seen[q.kind] = true;
 		assert_true(quantities_is_beginning_of_text(
-		    quantities_completion_offer(n)));
-		assert_true(goals_is_condition(text));
+		    quantities_nth_completion(n)));
+		assert_true(goals_is_condition_text(text));
 		FREED char *key = quantities_field_name(&q);
 		assert_int_equal(strspn(key, IN_KEYS), strlen(key));
 		FREED char *of = xasprintf("%s of 0/4", text);

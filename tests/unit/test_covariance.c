@@ -25,7 +25,8 @@ make_cells(size_t runs, double apart, struct cell *cell)
 			double P = draw_between(&draw, 0, 1);
 			cell[n++] = (struct cell){.run = r,
 			    .log_size = by - 4 - 0.69 * (double)i,
-			    .t = discrepancy_speed_to_t(v, el_log(2750)),
+			    .t = discrepancy_speed_to_coordinate(
+				v, el_log(2750)),
 			    .h = i == 0 ? 0 : discrepancy_scale_at_passing(P)};
 		}
 	}
@@ -59,7 +60,7 @@ test_same(void **state)
 		for (size_t i = 0; i < n; i++)
 			d[i] = x[i] = y[i] = z[i] =
 			    0.01 * cell[i].h * draw_between(&draw, -1, 1);
-		covariance_factor(c, hyper, factor);
+		covariance_compute_factor(c, hyper, factor);
 		discrepancy_factor_covariance(ISA_BEST, cell, n, hyper, U);
 		double level = covariance_minus_log_density(c, factor, z);
 		double want = discrepancy_minus_log_density(ISA_BEST, U, n, y);
@@ -123,7 +124,7 @@ test_sizes(void **state)
 	double *factor = xcalloc_doubles(covariance_factor_size(c));
 	for (size_t h = 0; h < HYPERS; h++)
 		log_hyper[h] = el_log(HYPER[h].median);
-	covariance_factor(c, log_hyper, factor);
+	covariance_compute_factor(c, log_hyper, factor);
 	assert_true(isfinite(covariance_minus_log_density(c, factor, d)));
 	covariance_free(c);
 	free(factor);

@@ -27,7 +27,7 @@ site_of(uint64_t seed)
 	    .seed = seed,
 	    .n_speed = 3,
 	    .speed = SPEED};
-	return synth_site(&synth);
+	return synth_make_site(&synth);
 }
 
 static struct posterior *
@@ -278,7 +278,7 @@ mends_say_what_they_did(void **state)
 	assert_null(site_with_mend(one, &m, NULL));
 	m.run = 2;
 	struct site *two = site_with_mend(one, &m, NULL);
-	char *source = site_source_clause(two, "");
+	char *source = site_provenance_first_clause(two, "");
 	assert_string_equal(source, "not stated, mended");
 	free(source);
 	m.feed = true;
@@ -360,7 +360,7 @@ too_many_are_not_looked_at(void **state)
 	double speed[RUNS];
 	for (size_t r = 0; r < RUNS; r++)
 		speed[r] = 66 + 0.15 * (double)r;
-	struct site *site = synth_site(&(struct synth){.top_size = 0.0112,
+	struct site *site = synth_make_site(&(struct synth){.top_size = 0.0112,
 	    .params = {.beta = {0.2, 1, -1, 0.5},
 		.f_mat = 2,
 		.e0_min = 16,

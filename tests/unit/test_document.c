@@ -75,17 +75,17 @@ static struct answer *
 table(size_t rows, size_t columns, const char *words)
 {
 	struct answer *a = answer_new("sweep");
-	answer_title(a, "%s", words);
+	answer_set_title(a, "%s", words);
 	answer_set_site(a, words, words);
 	for (size_t c = 0; c + 1 < columns; c++)
-		answer_columns(a, "column%zu", c);
-	answer_column(a, "words", words);
+		answer_add_columns(a, "column%zu", c);
+	answer_add_column(a, "words", words);
 	for (size_t i = 0; i < rows * (columns - 1); i++) {
 		answer_add_cells(a, "%.2f", (double)i);
 		if (i % (columns - 1) == columns - 2)
 			answer_add_cells(a, "%s", words);
 	}
-	answer_say(a, ANSWER_WARNING, "%s", words);
+	answer_add_sentence(a, ANSWER_WARNING, "%s", words);
 	answer_note(a, "%s", words);
 	return a;
 }
@@ -106,7 +106,7 @@ chart(const char *words)
 	struct axis x = axis_new_linear("x", 0, 1),
 		    y = axis_new_linear("y", 0, 1);
 	struct chart *c = chart_new(words, words, x, y);
-	chart_add(
+	chart_append_series(
 	    c, (struct chart_series){.line = CHART_SOLID}, 2, "%s", words);
 	return c;
 }
@@ -116,9 +116,9 @@ words_of_others_are_words(void **state)
 {
 	(void)state;
 	struct document *d = with_table(3, 4, HOSTILE);
-	document_say(d, DOCUMENT_HEADING, "%s", HOSTILE);
-	document_say(d, DOCUMENT_WORDS, "%s", HOSTILE);
-	document_say(d, DOCUMENT_WARNING, "%s", HOSTILE);
+	document_add_paragraph(d, DOCUMENT_HEADING, "%s", HOSTILE);
+	document_add_paragraph(d, DOCUMENT_WORDS, "%s", HOSTILE);
+	document_add_paragraph(d, DOCUMENT_WARNING, "%s", HOSTILE);
 	document_add_trust_light(d, LIGHT_RED, HOSTILE);
 	document_add_chart(d, chart(HOSTILE));
 	fprintf(d->out, "%s\n", HOSTILE);
@@ -138,10 +138,10 @@ parts_keep_their_order(void **state)
 	(void)state;
 	struct document *d = document_new("tipspeed: test");
 	fputs("\n\none\n", d->out);
-	document_say(d, DOCUMENT_HEADING, "%s", "two");
+	document_add_paragraph(d, DOCUMENT_HEADING, "%s", "two");
 	fputs("three\n", d->out);
 	fputs("four\n\n", d->out);
-	document_say(d, DOCUMENT_WORDS, "five");
+	document_add_paragraph(d, DOCUMENT_WORDS, "five");
 	assert_true(document_finish(d));
 	assert_int_equal(d->n, 4);
 	assert_string_equal(d->part[0].text, "one");
@@ -190,7 +190,7 @@ paper_has_room(void **state)
 {
 	(void)state;
 	char *word = xcalloc(6001, 1);
-	if (!picture_can_draw_form(PICTURE_PDF))
+	if (!picture_can_draw_format(PICTURE_PDF))
 		skip();
 	memset(word, 'm', 6000);
 	assert_int_equal(pages_of(with_table(12, 5, "rock")), 1);
@@ -223,7 +223,7 @@ a_report_leaves_the_session_alone(void **state)
 	assert_null(s->file);
 	assert_int_equal(undo_count_steps(s), depth);
 	assert_int_equal(journal_current_place(s).n, lines);
-	assert_true(session_answer_number(s, "predict", "speed") == 70);
+	assert_true(session_number_in_last_answer(s, "predict", "speed") == 70);
 	assert_false(desk_say(desk, "report"));
 	assert_non_null(strstr(desk->error.hint, "report > report.html"));
 }

@@ -80,10 +80,10 @@ an_unknown_truth_is_no_drift(void **state)
 	size_t since, signals = 0, naive = 0;
 	for (uint64_t q = 0; q < MANY; q++) {
 		make(&m, q, rng_normal(key, (uint32_t)q), LONG, 0);
-		signals += drift_run_charts(
+		signals += drift_compute_charts(
 			       m.cut, LONG, &DRIFT_RULE, point, &since) < LONG;
 		const struct drift_rule never = {0.5, 1e9, 0.2, 1e9, 2};
-		drift_run_charts(m.cut, LONG, &never, point, &since);
+		drift_compute_charts(m.cut, LONG, &never, point, &since);
 		double up = 0, down = 0, most = 0;
 		for (size_t j = 0; j < LONG; j++) {
 			const struct drift_chart *c = &point[j].chart[0];
@@ -128,8 +128,8 @@ the_size_of_errors_is_learnt(void **state)
 			for (size_t j = 0; j < LONG; j++)
 				for (size_t i = 0; i < SIEVES; i++)
 					m.residual[j][i] *= larger;
-			signals += drift_run_charts(m.cut, LONG, &DRIFT_RULE,
-				       point, &since) < LONG;
+			signals += drift_compute_charts(m.cut, LONG,
+				       &DRIFT_RULE, point, &since) < LONG;
 		}
 		print_message("errors %g times as large: %zu signals of %d, "
 			      "stated %.0f\n",
@@ -152,8 +152,8 @@ steps_are_signalled_as_said(void **state)
 	size_t since, by = 0, before = 0, all = 0;
 	for (uint64_t q = 0; q < MANY; q++) {
 		make(&m, q, rng_normal(key, (uint32_t)q), QUIET, 0.008);
-		size_t first =
-		    drift_run_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
+		size_t first = drift_compute_charts(
+		    m.cut, LONG, &DRIFT_RULE, point, &since);
 		double said = drift_detection_delay(
 		    &DRIFT_RULE, point, QUIET, QUIET, 0.008, q);
 		if (first < QUIET)
@@ -176,26 +176,26 @@ a_step_is_found_and_dated(void **state)
 	struct drift_point point[LONG];
 	size_t since, first;
 	make(&m, 3, 0.5, 12, -0.015);
-	first = drift_run_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
+	first = drift_compute_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
 	assert_in_range(first, 12, 16);
 	assert_in_range(since, 11, 13);
 	for (size_t i = first; i < LONG; i++)
 		assert_int_equal(point[i].state, DRIFT_COARSER);
 	make(&m, 3, 0.5, 12, 0.015);
-	first = drift_run_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
+	first = drift_compute_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
 	assert_int_equal(point[first].state, DRIFT_FINER);
 	/* Coarse sieves pass more, fine ones less. */
 	make(&m, 4, 0, LONG, 0);
 	for (size_t j = 8; j < LONG; j++)
 		for (size_t i = 0; i < SIEVES; i++)
 			m.residual[j][i] += i < SIEVES / 2 ? 0.02 : -0.02;
-	first = drift_run_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
+	first = drift_compute_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
 	assert_int_equal(point[first].state, DRIFT_STEEPER);
 	assert_in_range(first, 8, 12);
 	/* One sieve has no tilt. */
 	for (size_t j = 0; j < LONG; j++)
 		m.cut[j].n = 1;
-	drift_run_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
+	drift_compute_charts(m.cut, LONG, &DRIFT_RULE, point, &since);
 	for (size_t j = 0; j < LONG; j++)
 		assert_true(point[j].chart[DRIFT_TILT].score == 0);
 }
@@ -280,7 +280,7 @@ first_signal(const struct plant *p, size_t n, uint64_t q)
 		free(U);
 		free(z);
 	}
-	size_t first = drift_run_charts(cut, n, &DRIFT_RULE, point, &since);
+	size_t first = drift_compute_charts(cut, n, &DRIFT_RULE, point, &since);
 	free(cut);
 	free(point);
 	free(residual);

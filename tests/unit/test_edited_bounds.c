@@ -56,7 +56,7 @@ narrower_bounds_hold_from_the_next_generation(void **state)
 		size_t n;
 		assert_int_equal(calibration_step(c), CALIBRATE_SEARCHING);
 		const struct calibrate_generation *g =
-		    calibration_generations(c, &n);
+		    calibration_generation_history(c, &n);
 		assert_int_equal(n, i);
 		expect_inside(&b, &g[n - 1].params);
 		assert_true(g[n - 1].p90[PARAM_E0_MIN] <= middle / 2);

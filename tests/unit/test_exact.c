@@ -67,7 +67,7 @@ made_plant(enum kind kind, struct draw *d)
 	for (size_t r = 0; r < runs; r++)
 		speed[r] = 60 + 30 * ((double)r + draw_between(d, 0, 0.8)) /
 				    (double)runs;
-	struct site *site = synth_site(&synth);
+	struct site *site = synth_make_site(&synth);
 	for (size_t r = 0; r < runs; r++) {
 		struct run *run = &site->run[r];
 		thin(&run->feed, sieves);

@@ -221,7 +221,7 @@ made_sites_need_no_installation(void **state)
 	assert_in_range(t->picker.folder.n, 15, 19);
 	type(t, "forsby");
 	press(t, "Enter");
-	assert_string_equal(tui_current_entry(t)->site->name, "Forsby");
+	assert_string_equal(tui_current_site_entry(t)->site->name, "Forsby");
 	assert_int_equal(chdir(was), 0);
 	rmdir(folder);
 }
@@ -251,20 +251,20 @@ letters_narrow_the_list(void **state)
 	type(t, "limestone");
 	assert_true(t->picker.on);
 	assert_true(shows("containing 'limestone'"));
-	assert_in_range(list_count_matching(t), 1, all - 1);
+	assert_in_range(list_count_matching_rows(t), 1, all - 1);
 	press(t, "Esc");
-	assert_int_equal(list_count_matching(t), all);
+	assert_int_equal(list_count_matching_rows(t), all);
 	type(t, "tierz");
 	assert_true(shows("nothing here has 'tierz'"));
 	assert_string_equal(t->picker.word.text, "tier");
 	press(t, "Enter");
-	assert_string_equal(tui_current_entry(t)->site->name, "Tierp");
+	assert_string_equal(tui_current_site_entry(t)->site->name, "Tierp");
 	/* Left is the folder above, narrowed or not. */
 	press(t, "o");
 	type(t, "data");
 	press(t, "Enter");
 	type(t, "sit");
-	assert_int_equal(list_count_matching(t), 1);
+	assert_int_equal(list_count_matching_rows(t), 1);
 	press(t, "Left");
 	assert_string_equal(t->picker.folder.path, "");
 	assert_int_equal(t->picker.word.n, 0);
@@ -430,8 +430,8 @@ strange_files_are_looked_at_without_being_read(void **state)
 	assert_int_equal(list.n, 4);
 	assert_string_equal(list.item[3].name, "a.csv");
 	assert_string_equal(list.item[3].about, "results of predict");
-	char *big = folder_preview(&list.item[0]);
-	char *empty = folder_preview(&list.item[1]);
+	char *big = folder_item_preview_text(&list.item[0]);
+	char *empty = folder_item_preview_text(&list.item[1]);
 	char *command = folder_command_to_open(
 	    &(struct folder_item){
 		.name = (char *)"a=b.csv", .path = (char *)"a=b.csv"},

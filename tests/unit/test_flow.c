@@ -221,7 +221,7 @@ classes_add_up_to_the_product_of_the_feed(void **state)
 	for (size_t row = 0; row < 19; row++) {
 		struct site *site = made_site(&TABLE_3[row], 0, 1);
 		const struct psd *feed = &site->run[0].feed;
-		struct psd sizes = predict_table_sizes(site, feed);
+		struct psd sizes = predict_list_table_sieves(site, feed);
 		struct params p = made_params(&TABLE_3[row]);
 		struct crusher *c = crusher_new(
 		    sizes.size, sizes.n, &p, model_settings_default(), NULL);
@@ -291,7 +291,7 @@ each_draw_is_its_own_and_balances(void **state)
 	const struct psd *feed = &site->run[0].feed;
 	struct fit fit;
 	struct posterior *posterior = posterior_of(site, &fit);
-	struct psd sieves = predict_table_sizes(site, feed);
+	struct psd sieves = predict_list_table_sieves(site, feed);
 	struct psd sizes = psd_new_with_sizes_between(sieves.size, sieves.n);
 	size_t n = sizes.n;
 	struct ensemble *e =
@@ -337,11 +337,12 @@ throwing_takes_what_euler_says(void **state)
 {
 	(void)state;
 	expect_near("thrown", power_to_accelerate_rock(72, 120), 172.8, 1e-12);
-	struct power none = power_fit(NULL, 0);
+	struct power none = power_fit_readings(NULL, 0);
 	assert_true(none.least);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		expect_near(
-		    "none", power_of_draw(&none, d, 72, 120), 172.8, 1e-12);
+		expect_near("none",
+		    power_kw_of_posterior_draw(&none, d, 72, 120), 172.8,
+		    1e-12);
 }
 
 /* The mean and the least and most of the draws. */
@@ -352,7 +353,7 @@ power_mean(const struct power *p, double v, double tph, double range[2])
 	range[0] = INFINITY;
 	range[1] = -INFINITY;
 	for (size_t d = 0; d < POWER_DRAWS; d++) {
-		double kw = power_of_draw(p, d, v, tph);
+		double kw = power_kw_of_posterior_draw(p, d, v, tph);
 		sum += kw / POWER_DRAWS;
 		range[0] = fmin(range[0], kw);
 		range[1] = fmax(range[1], kw);
@@ -372,8 +373,9 @@ idle_grows_as_the_empty_crusher_shows(void **state)
 	for (size_t i = 0; i < 4; i++)
 		r[i].kw = 60 * pow(r[i].speed / 72, 2.6) +
 			  1.2 * power_to_accelerate_rock(r[i].speed, r[i].tph);
-	struct power all = power_fit(r, 4), two = power_fit(r, 2),
-		     first = power_fit(r, 1);
+	struct power all = power_fit_readings(r, 4),
+		     two = power_fit_readings(r, 2),
+		     first = power_fit_readings(r, 1);
 	expect_near("empty", power_mean(&all, 60, 0, empty), idle, 1.5);
 	double want = idle + 1.2 * power_to_accelerate_rock(60, 120);
 	expect_near("all", power_mean(&all, 60, 120, loaded), want, 4);
@@ -383,7 +385,7 @@ idle_grows_as_the_empty_crusher_shows(void **state)
 	power_mean(&first, 60, 60, one);
 	assert_true(one[1] - one[0] > 10);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		assert_true(power_of_draw(&first, d, 60, 100) >=
+		assert_true(power_kw_of_posterior_draw(&first, d, 60, 100) >=
 			    power_to_accelerate_rock(60, 100));
 }
 
@@ -395,8 +397,8 @@ impossible_readings_give_numbers(void **state)
 	struct reading r[5] = {{72, 20, 120}, {79, 300, 121}, {60, 1, 120},
 	    {60, 900, 1}, {61, 3, 0}};
 	for (size_t n = 1; n <= 5; n++) {
-		struct power p = power_fit(r, n),
-			     last = power_fit(r + n - 1, 1);
+		struct power p = power_fit_readings(r, n),
+			     last = power_fit_readings(r + n - 1, 1);
 		assert_true(p.below == (n == 1));
 		assert_true(last.least == (n == 5));
 		double range[2];

@@ -100,7 +100,8 @@ one_material_gives_its_own_product(void **state)
 	struct table *t = *state;
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 9);
 	assert_int_equal(nearest(t, "Porphyry", 10, 1), 1);
-	struct guess guess = guess_product(site, 1, t->m, t->pick, 1, 74);
+	struct guess guess =
+	    guess_psd_from_materials(site, 1, t->m, t->pick, 1, 74);
 	struct prediction p = predict_with_model_alone(
 	    site, &t->m[KIRUNA].params, t->m[KIRUNA].settings, 74, 1);
 	assert_int_equal(guess.median.n, p.product.n);
@@ -131,7 +132,8 @@ the_median_lies_within_the_spread(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 9);
 	for (size_t n = 2; n <= 5; n++) {
 		nearest(t, "Granite", 11.2, n);
-		struct guess g = guess_product(site, 0, t->m, t->pick, n, 70);
+		struct guess g =
+		    guess_psd_from_materials(site, 0, t->m, t->pick, n, 70);
 		struct prediction p[5];
 		for (size_t i = 0; i < n; i++)
 			p[i] = predict_with_model_alone(site,
@@ -170,7 +172,8 @@ sizes_below_the_sieves_are_told(void **state)
 	memcpy(site->run[0].feed.size, size, sizeof size);
 	memcpy(site->run[0].feed.passing, passing, sizeof passing);
 	nearest(t, "Granite", 11.2, 3);
-	struct guess g = guess_product(site, 0, t->m, t->pick, 3, 79);
+	struct guess g =
+	    guess_psd_from_materials(site, 0, t->m, t->pick, 3, 79);
 	assert_true(isnan(g.p20.low) && isnan(g.p20.high));
 	assert_true(isfinite(g.p80.low) && isfinite(g.p80.high));
 	guess_free(&g);
@@ -195,8 +198,8 @@ an_open_beta_is_in_the_band(void **state)
 		for (size_t open = 0; open < 2; open++) {
 			for (size_t i = 0; i < N; i++)
 				t->m[i].law_open = open == 1;
-			struct guess g =
-			    guess_product(site, 0, t->m, t->pick, n, 74);
+			struct guess g = guess_psd_from_materials(
+			    site, 0, t->m, t->pick, n, 74);
 			for (size_t i = 0; i < p.product.n; i++)
 				held[open] += p.product.passing[i] >=
 						  g.low.passing[i] - 1e-9 &&
@@ -218,13 +221,13 @@ leaving_one_out_errs_by_the_difference(void **state)
 	struct guess_material two[3] = {t->m[TIERP], t->m[GAVLE], t->m[TIERP]};
 	two[2].site = "Twin";
 	const double speed = 74;
-	struct guess_error e = guess_leave_one_out(two, 3, 5, speed);
+	struct guess_error e = guess_leave_one_out_error(two, 3, 5, speed);
 	struct synth synth = {.top_size = 11.2e-3,
 	    .params = two[0].params,
 	    .n = 1,
 	    .n_speed = 1,
 	    .speed = &speed};
-	struct site *site = synth_site(&synth);
+	struct site *site = synth_make_site(&synth);
 	struct prediction a = predict_with_model_alone(
 	    site, &two[0].params, two[0].settings, speed, 0);
 	struct prediction b = predict_with_model_alone(
@@ -247,9 +250,9 @@ a_site_is_not_guessed_from_itself(void **state)
 	struct table *t = *state;
 	struct guess_material gavle[3] = {
 	    t->m[GAVLE], t->m[GAVLE_2], t->m[GAVLE_4]};
-	struct guess_error e = guess_leave_one_out(gavle, 3, 5, 74);
+	struct guess_error e = guess_leave_one_out_error(gavle, 3, 5, 74);
 	assert_int_equal(e.n, 0);
-	e = guess_leave_one_out(t->m, N, 5, 74);
+	e = guess_leave_one_out_error(t->m, N, 5, 74);
 	assert_int_equal(e.n, 18);
 	assert_true(e.median < e.worst && e.worst < e.feed);
 }
@@ -262,11 +265,11 @@ the_band_holds_four_of_five_left_out(void **state)
 	struct table *t = *state;
 	double all = 0, five = 0;
 	for (double v = 65; v <= 85; v += 4) {
-		double held = guess_leave_one_out(t->m, N, N, v).held;
+		double held = guess_leave_one_out_error(t->m, N, N, v).held;
 		if (!(held >= 0.75 && held <= 0.9))
 			fail_msg("%g m/s: the band held %.3f", v, held);
 		all += held / 6;
-		five += guess_leave_one_out(t->m, N, 5, v).held / 6;
+		five += guess_leave_one_out_error(t->m, N, 5, v).held / 6;
 	}
 	print_message("# the band held %.1f %%, of 5 nearest %.1f %%\n",
 	    100 * all, 100 * five);
@@ -280,7 +283,7 @@ static void
 the_nearest_are_used_where_that_helps(void **state)
 {
 	struct table *t = *state;
-	struct guess_choice c = guess_choose_nearest_count(t->m, N, 74);
+	struct guess_choice c = guess_choose_neighbour_count(t->m, N, 74);
 	assert_false(c.helps);
 	assert_int_equal(c.all.nearest, N);
 	assert_true(c.few.nearest < N);
@@ -292,7 +295,7 @@ the_nearest_are_used_where_that_helps(void **state)
 		t->m[i].params.e0_min = (soft ? 14 : 24) + 0.01 * (double)i;
 		t->m[i].params.alpha = 0.95;
 	}
-	c = guess_choose_nearest_count(t->m, N, 74);
+	c = guess_choose_neighbour_count(t->m, N, 74);
 	assert_true(c.helps && c.few.nearest < 10);
 	assert_true(c.few.median < 0.2 * c.all.median);
 }

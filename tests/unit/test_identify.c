@@ -102,12 +102,12 @@ a_ridge_is_a_correlation(void **state)
 	/* e0_min is a bent function of alpha: of the ranks it is straight. */
 	expect_near("rank", pair.rank, -1, 1e-9);
 	assert_true(pair.linear < -0.95 && pair.linear > -1 + 1e-6);
-	assert_true(identify_stronger_correlation(pair) == pair.rank);
-	assert_true(fabs(identify_stronger_correlation(
+	assert_true(identify_larger_of_rank_or_linear(pair) == pair.rank);
+	assert_true(fabs(identify_larger_of_rank_or_linear(
 			identify_correlate_params(&p, F_MAT, ALPHA))) < 0.2);
 	assert_true(isnan(identify_correlate_params(&p, GAMMA, ALPHA).linear));
 	struct identify_pair other = {-0.9, 0.5};
-	assert_true(identify_stronger_correlation(other) == -0.9);
+	assert_true(identify_larger_of_rank_or_linear(other) == -0.9);
 }
 
 static void

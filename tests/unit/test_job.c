@@ -50,7 +50,7 @@ static struct fit
 whole(struct desk *desk)
 {
 	assert_true(desk_say(desk, SEARCH));
-	return session_current_entry(desk->session)->fit;
+	return session_current_site_entry(desk->session)->fit;
 }
 
 static int
@@ -74,11 +74,13 @@ a_stopped_calibration_goes_on_to_the_same_bits(void **state)
 		steps(desk, at[i]);
 		session_stop_job_for_user(desk->session);
 		assert_false(session_is_calibrating(desk->session));
-		struct fit half = session_current_entry(desk->session)->fit;
+		struct fit half =
+		    session_current_site_entry(desk->session)->fit;
 		assert_int_equal(half.stop, CALIBRATE_STOPPED);
 		assert_true(half.misfit >= want.misfit);
 		assert_true(desk_say(desk, "continue"));
-		expect_same(&session_current_entry(desk->session)->fit, &want);
+		expect_same(
+		    &session_current_site_entry(desk->session)->fit, &want);
 	}
 }
 
@@ -99,7 +101,7 @@ static void
 run_weights_pull_the_fit_to_a_run(void **state)
 {
 	struct desk *desk = *state;
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	double rmse[2];
 	static const char *const lines[] = {
 	    "calibrate seed=1 run_weights=100,1",
@@ -119,7 +121,7 @@ run_weights_pull_the_fit_to_a_run(void **state)
 static double
 rmse_at(struct desk *desk, size_t run)
 {
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	return validate_run(entry->site, run, entry->train, &entry->params,
 	    model_settings_default(), NULL)
 	    .rmse[VALIDATE_MODEL];
@@ -139,17 +141,17 @@ each_speed_is_predicted_from_the_others(void **state)
 		largest = fmax(largest, rmse_at(desk, run));
 		sum += pow(rmse_at(desk, run), 2);
 	}
-	struct params before = session_current_entry(s)->params;
+	struct params before = session_current_site_entry(s)->params;
 	assert_true(desk_say(desk, "validate holdout=each"));
 	assert_memory_equal(
-	    &session_current_entry(s)->params, &before, sizeof before);
-	assert_true(session_answer_number(s, "validate", "holdout.rmse_pct") ==
-		    100 * largest);
-	assert_true(
-	    fabs(session_answer_number(s, "validate", "overall.rmse_pct") -
-		 100 * sqrt(sum / 3)) < 1e-12);
-	assert_true(session_current_entry(s)->train[0] &&
-		    session_current_entry(s)->train[1]);
+	    &session_current_site_entry(s)->params, &before, sizeof before);
+	assert_true(session_number_in_last_answer(
+			s, "validate", "holdout.rmse_pct") == 100 * largest);
+	assert_true(fabs(session_number_in_last_answer(
+			     s, "validate", "overall.rmse_pct") -
+			 100 * sqrt(sum / 3)) < 1e-12);
+	assert_true(session_current_site_entry(s)->train[0] &&
+		    session_current_site_entry(s)->train[1]);
 	assert_null(s->job.calibration);
 }
 
@@ -162,19 +164,19 @@ a_validation_needs_three_speeds_and_no_fit(void **state)
 	start(desk, "validate holdout=each");
 	steps(desk, 5);
 	session_stop_job_for_user(s);
-	assert_false(
-	    session_is_calibrating(s) || session_current_entry(s)->has_params);
+	assert_false(session_is_calibrating(s) ||
+		     session_current_site_entry(s)->has_params);
 	assert_null(s->job.calibration);
 	assert_false(desk_say(desk, "continue"));
 	assert_true(desk_say(desk, "validate holdout=each"));
-	assert_false(session_current_entry(s)->has_params);
+	assert_false(session_current_site_entry(s)->has_params);
 	assert_true(
 	    desk_say(desk, "synth data/table3.csv site=Bro speeds=69,79"));
 	assert_false(desk_say(desk, "validate holdout=each"));
 	assert_non_null(strstr(desk->error.text, "three or more speeds"));
 	assert_true(desk_say(desk, "validate all holdout=each"));
-	assert_true(session_answer_number(s, "validate", "sites") == 1);
-	assert_true(session_answer_number(s, "validate", "runs") == 3);
+	assert_true(session_number_in_last_answer(s, "validate", "sites") == 1);
+	assert_true(session_number_in_last_answer(s, "validate", "runs") == 3);
 	assert_false(desk_say(desk, "validate all"));
 	assert_non_null(strstr(desk->error.text, "held-out run"));
 }
@@ -195,7 +197,7 @@ calibrated_sites_are_compared_step_by_step(void **state)
 	start(desk, "validate all");
 	steps(desk, 2);
 	assert_false(session_is_calibrating(s));
-	assert_true(session_answer_number(s, "validate", "runs") == 2);
+	assert_true(session_number_in_last_answer(s, "validate", "runs") == 2);
 }
 
 static void
@@ -205,9 +207,9 @@ a_paused_calibration_can_be_accepted(void **state)
 	start(desk, SEARCH);
 	steps(desk, 5);
 	session_stop_job_for_user(desk->session);
-	struct fit half = session_current_entry(desk->session)->fit;
+	struct fit half = session_current_site_entry(desk->session)->fit;
 	assert_true(desk_say(desk, "accept"));
-	expect_same(&session_current_entry(desk->session)->fit, &half);
+	expect_same(&session_current_site_entry(desk->session)->fit, &half);
 	assert_false(desk_say(desk, "continue"));
 	assert_non_null(strstr(desk->error.text, "no calibration"));
 	assert_false(desk_say(desk, "accept"));
@@ -219,7 +221,7 @@ a_pause_before_the_first_generation_keeps_nothing(void **state)
 	struct desk *desk = *state;
 	start(desk, SEARCH);
 	session_stop_job_for_user(desk->session);
-	assert_false(session_current_entry(desk->session)->has_fit);
+	assert_false(session_current_site_entry(desk->session)->has_fit);
 	assert_false(desk_say(desk, "continue"));
 }
 
@@ -260,7 +262,8 @@ the_paper_preset_is_another_search_without_polish(void **state)
 	assert_true(desk_say(desk, "calibrate preset=paper seed=3 "
 				   "population=600 generations=40 "
 				   "tolerance=0 stall=0"));
-	const struct fit *plain = &session_current_entry(desk->session)->fit;
+	const struct fit *plain =
+	    &session_current_site_entry(desk->session)->fit;
 	assert_int_equal(plain->evaluations, 600 * 40);
 	assert_true(plain->misfit > best.misfit);
 }
@@ -275,7 +278,7 @@ the_paper_preset_says_what_it_leaves(void **state)
 	assert_true(desk_say(desk, "bounds alpha 0.5"));
 	assert_true(desk_say(desk, "calibrate preset=paper seed=3 "
 				   "population=600 generations=120"));
-	const struct fit *fit = &session_current_entry(desk->session)->fit;
+	const struct fit *fit = &session_current_site_entry(desk->session)->fit;
 	assert_int_equal(fit->generations, 120);
 	assert_int_equal(fit->stop, CALIBRATE_GENERATIONS);
 	assert_true(fit->params.at[PARAM_ALPHA] != 0.5);
@@ -299,7 +302,7 @@ a_flat_direction_raises_the_misfit_by_a_tenth(void **state)
 {
 	struct desk *desk = *state;
 	assert_true(desk_say(desk, "calibrate seed=1"));
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	struct misfit *m = misfit_new(
 	    entry->site, entry->train, NULL, false, model_settings_default());
 	/* 0.2 of the way is 0.04 of the rise, to second order; the mean of both
@@ -324,7 +327,7 @@ static void
 standard_deviations_weigh_when_asked_for(void **state)
 {
 	struct desk *desk = *state;
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	assert_false(desk_say(desk, "calibrate weights=sd"));
 	assert_non_null(strstr(desk->error.text, "has none at 69 m/s"));
 	for (size_t r = 0; r < entry->site->n_run; r++) {
@@ -349,11 +352,11 @@ static void
 edited_bounds_are_told(void **state)
 {
 	struct desk *desk = *state;
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	whole(desk);
 	assert_null(strstr(entry->options, "edited"));
 	desk_expect(desk, "undo");
-	entry = session_current_entry(desk->session);
+	entry = session_current_site_entry(desk->session);
 	start(desk, SEARCH);
 	steps(desk, 5);
 	session_stop_job_for_user(desk->session);
@@ -377,9 +380,9 @@ bounds_come_too_late_for_what_has_ended(void **state)
 		session_step_job(s);
 	assert_true(session_is_calibrating(s));
 	assert_int_equal(session_stop_job_for_user(s), STOPPED_TAKEN);
-	struct fit want = session_current_entry(s)->fit;
+	struct fit want = session_current_site_entry(s)->fit;
 	desk_expect(desk, "bounds e0_min 0..9; continue");
-	expect_same(&session_current_entry(s)->fit, &want);
+	expect_same(&session_current_site_entry(s)->fit, &want);
 	assert_non_null(strstr(desk->notes, "begins within the edited"));
 }
 
@@ -407,30 +410,30 @@ a_stop_leaves_a_better_fit_until_it_is_accepted(void **state)
 	assert_non_null(strstr(notes, worse));
 	assert_non_null(strstr(notes, "'accept' takes the stopped ones"));
 	assert_int_equal(desk->n_out, printed);
-	expect_same(&session_current_entry(desk->session)->fit, &want);
+	expect_same(&session_current_site_entry(desk->session)->fit, &want);
 	desk_expect(desk, "accept");
-	entry = session_current_entry(desk->session);
+	entry = session_current_site_entry(desk->session);
 	assert_int_equal(entry->fit.stop, CALIBRATE_STOPPED);
 	assert_int_equal(entry->fit.generations, 2);
 	assert_true(entry->fit.misfit > want.misfit);
 	assert_true(desk->n_out > printed);
 	desk_expect(desk, "undo");
-	expect_same(&session_current_entry(desk->session)->fit, &want);
+	expect_same(&session_current_site_entry(desk->session)->fit, &want);
 	/* One that goes on to its end was asked for. */
 	notes = noted(desk, "calibrate population=64 seed=3 generations=3 "
 			    "polish=off pause=2; continue");
 	assert_non_null(strstr(notes, worse));
-	entry = session_current_entry(desk->session);
+	entry = session_current_site_entry(desk->session);
 	assert_int_equal(entry->fit.stop, CALIBRATE_GENERATIONS);
 	assert_true(entry->fit.misfit > want.misfit);
 	desk_expect(desk, "undo");
-	expect_same(&session_current_entry(desk->session)->fit, &want);
+	expect_same(&session_current_site_entry(desk->session)->fit, &want);
 	/* Without one the stopped best is better than nothing. */
 	desk_expect(desk, "undo");
 	notes = noted(desk, line);
 	assert_null(strstr(notes, worse));
 	assert_non_null(strstr(notes, "undo or calibrate again"));
-	assert_true(session_current_entry(desk->session)->has_fit);
+	assert_true(session_current_site_entry(desk->session)->has_fit);
 }
 
 /* Better by what the calibration goes by, wherever the parameters are from. */
@@ -443,24 +446,24 @@ what_is_better_is_said_by_the_job(void **state)
 	desk_expect(desk, "params set f_mat=0.9 e0_min=20 alpha=0.5");
 	assert_null(
 	    strstr(noted(desk, "calibrate population=64 pause=5"), worse));
-	assert_true(session_current_entry(desk->session)->has_fit);
+	assert_true(session_current_site_entry(desk->session)->has_fit);
 	/* The fit of all runs, on the ends; of another model. */
 	desk_expect(desk, "calibrate population=600 train=all");
-	struct fit want = session_current_entry(desk->session)->fit;
+	struct fit want = session_current_site_entry(desk->session)->fit;
 	assert_non_null(
 	    strstr(noted(desk, "calibrate population=64 pause=1"), worse));
-	expect_same(&session_current_entry(desk->session)->fit, &want);
+	expect_same(&session_current_site_entry(desk->session)->fit, &want);
 	assert_non_null(strstr(noted(desk, "set model vogel; calibrate "
 					   "population=64 pause=1"),
 	    worse));
-	expect_same(&session_current_entry(desk->session)->fit, &want);
+	expect_same(&session_current_site_entry(desk->session)->fit, &want);
 	assert_true(s->job.paused && s->job.held_back);
 	/* With as many impacts that fit is nothing worth. */
 	assert_null(strstr(noted(desk, "set model grunditz; set k 5; calibrate "
 				       "population=600 pause=8"),
 	    worse));
-	assert_int_equal(
-	    session_current_entry(desk->session)->fit.stop, CALIBRATE_STOPPED);
+	assert_int_equal(session_current_site_entry(desk->session)->fit.stop,
+	    CALIBRATE_STOPPED);
 }
 
 /* Sites that were done are; the one under way keeps what is better. */
@@ -508,7 +511,7 @@ a_step_is_named_that_the_bounds_allow(void **state)
 		if (step == NULL)
 			continue;
 		const struct fit *fit =
-		    &session_current_entry(desk->session)->fit;
+		    &session_current_site_entry(desk->session)->fit;
 		double by = strtod(step + strlen("e0_min by "), NULL);
 		double x = fit->params.e0_min, room = 0.06 * fabs(by);
 		bool both = strstr(step, "reverse") != NULL;
@@ -533,7 +536,7 @@ the_generations_stay_with_their_site(void **state)
 	desk_expect(desk, "load data/sites/bro.csv; bounds alpha 0.5..1; "
 			  "calibrate population=64 generations=7 stall=0 "
 			  "tolerance=0; bounds default");
-	const struct history *h = session_current_entry(s)->history;
+	const struct history *h = session_current_site_entry(s)->history;
 	assert_false(session_is_calibrating(s));
 	assert_int_equal(h->n, 7);
 	assert_true(h->bounds.lower[PARAM_ALPHA] == 0.5);
@@ -542,9 +545,9 @@ the_generations_stay_with_their_site(void **state)
 	assert_null(s->entry[0].history);
 	desk_expect(desk, "params set f_mat=1; history; calibrate "
 			  "population=64 generations=3; history");
-	assert_int_equal(session_current_entry(s)->history->n, 3);
+	assert_int_equal(session_current_site_entry(s)->history->n, 3);
 	desk_expect(desk, "undo; history");
-	assert_int_equal(session_current_entry(s)->history->n, 7);
+	assert_int_equal(session_current_site_entry(s)->history->n, 7);
 	s->current = 0;
 	assert_false(desk_say(desk, "history"));
 	assert_non_null(strstr(desk->error.text, "not been calibrated"));
@@ -567,11 +570,13 @@ a_league_leaves_the_fit_alone(void **state)
 	fflush(desk->notes_file);
 	assert_non_null(
 	    strstr(desk->notes, "stopped before all models were calibrated"));
-	assert_true(isnan(session_answer_number(s, "league", "can_tell")));
-	expect_same(&session_current_entry(s)->fit, &want);
+	assert_true(
+	    isnan(session_number_in_last_answer(s, "league", "can_tell")));
+	expect_same(&session_current_site_entry(s)->fit, &want);
 	assert_true(desk_say(desk, "league"));
-	expect_same(&session_current_entry(s)->fit, &want);
-	assert_true(session_answer_number(s, "league", "can_tell") == 1);
+	expect_same(&session_current_site_entry(s)->fit, &want);
+	assert_true(
+	    session_number_in_last_answer(s, "league", "can_tell") == 1);
 	assert_false(desk_say(desk, "continue"));
 }
 

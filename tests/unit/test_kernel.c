@@ -26,7 +26,8 @@ settings_of(int which)
 /* What the kernel says of one product sieve, measured at the accurate value:
  * its error there. */
 static double
-error_at(const struct psd *feed, double v, const struct params *p, double size)
+error_set_at(
+    const struct psd *feed, double v, const struct params *p, double size)
 {
 	const bool train = true;
 	double misfit[KERNEL_LANES];
@@ -56,8 +57,8 @@ worst_error(const struct table_row *row, const struct params *p)
 	const struct psd *feed = &site->run[1].feed;
 	for (double v = 65; v <= 85; v += 1)
 		for (size_t i = 0; i < feed->n; i++)
-			worst =
-			    fmax(worst, error_at(feed, v, p, feed->size[i]));
+			worst = fmax(
+			    worst, error_set_at(feed, v, p, feed->size[i]));
 	site_free(site);
 	return worst;
 }
@@ -365,16 +366,16 @@ check_strengths(const struct misfit *m)
 	       *soft = xcalloc_doubles(n * STRIDE);
 	double *both = xcalloc_doubles(n * STRIDE);
 	struct kernel_out out = {misfit, hard, STRIDE, NULL, NULL};
-	kernel_evaluate_part(kernel, theta, 0, N, 0, &out);
+	kernel_evaluate_candidates(kernel, theta, 0, N, 0, &out);
 	for (size_t i = 0; i < N; i++) {
 		softer[i] = herd.gene[e0][i] * (0.4 + 0.01 * (double)i);
 		share[i] = i % 3 == 0 ? 0 : (double)i / N;
 	}
 	out = (struct kernel_out){misfit, both, STRIDE, softer, share};
-	kernel_evaluate_part(kernel, theta, 0, N, 0, &out);
+	kernel_evaluate_candidates(kernel, theta, 0, N, 0, &out);
 	memcpy(herd.gene[e0], softer, N * sizeof *softer);
 	out = (struct kernel_out){misfit, soft, STRIDE, NULL, NULL};
-	kernel_evaluate_part(kernel, theta, 0, N, 0, &out);
+	kernel_evaluate_candidates(kernel, theta, 0, N, 0, &out);
 	double most = 0;
 	for (size_t i = 0; i < N; i++)
 		for (size_t c = 0; c < n; c++) {

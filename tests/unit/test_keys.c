@@ -84,12 +84,12 @@ the_list_has_every_name(void **state)
 	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
 		assert_true(strcspn(p, "\n") <= 40);
 	free(text);
-	assert_string_equal(
-	    keys_shown_text(keys_find_by_code('=', PAGE_FIT)->what, false),
+	assert_string_equal(keys_text_for_speed_unit(
+				keys_find_by_code('=', PAGE_FIT)->what, false),
 	    keys_find_by_code('=', PAGE_FIT)->what);
 	assert_int_equal(
-	    keys_listed_at(PAGE_FIT, "CALIBRATE, or", 0)->code, 'f');
-	assert_null(keys_listed_at(PAGE_FIT, "no such word", 0));
+	    keys_nth_listed(PAGE_FIT, "CALIBRATE, or", 0)->code, 'f');
+	assert_null(keys_nth_listed(PAGE_FIT, "no such word", 0));
 	out = open_memstream(&text, &n);
 	assert_non_null(out);
 	keys_print_list(PAGE_FIT, "grading", false, out);
@@ -114,13 +114,13 @@ the_keys_of_the_open_page_come_first(void **state)
 		size_t n = keys_count_listed(OF[i].page, ""), first = n,
 		       other = n;
 		for (size_t k = 0; k < n; k++) {
-			int code = keys_listed_at(OF[i].page, "", k)->code;
+			int code = keys_nth_listed(OF[i].page, "", k)->code;
 			first = code == OF[i].first ? k : first;
 			other = code == OF[i].other ? k : other;
 			assert_int_not_equal(code, OF[i].none);
 		}
 		assert_true(first < other && other < n);
-		assert_null(keys_listed_at(OF[i].page, "", n));
+		assert_null(keys_nth_listed(OF[i].page, "", n));
 	}
 }
 

@@ -56,7 +56,7 @@ the_error_of_a_difference_is_that_of_made_up_samples(void **state)
 		a[i] = 0.5 + 0.01 * (double)(i % 3);
 		b[i] = 0.5;
 	}
-	struct league_difference want = league_compare_errors(cell, N, a, b);
+	struct league_difference want = league_error_difference(cell, N, a, b);
 	for (size_t t = 0; t < TIMES; t++) {
 		struct rng_key key = rng_make_key(5, t, 1);
 		for (size_t i = 0; i < N; i++)
@@ -65,7 +65,7 @@ the_error_of_a_difference_is_that_of_made_up_samples(void **state)
 			    0.01 * sqrt(own) * rng_normal(key, (uint32_t)i) +
 			    0.01 * sqrt(1 - own) *
 				rng_normal(key, (uint32_t)(N + i / 10));
-		double d = league_compare_errors(cell, N, a, b).difference;
+		double d = league_error_difference(cell, N, a, b).difference;
 		sum += d / TIMES;
 		squares += d * d / TIMES;
 	}
@@ -84,11 +84,11 @@ a_model_misses_what_no_sampling_explains(void **state)
 		    {0, -5, 0.5, noise}, {0, -6, 0.4, noise}};
 		double far[] = {0.56, 0.34}, some[] = {0.53, 0.37};
 		double near[] = {0.515, 0.385};
-		assert_true(league_misses_held_out_runs(cell, 2, far));
-		assert_true(league_misses_held_out_runs(cell, 2, some) ==
+		assert_true(league_is_prediction_poor(cell, 2, far));
+		assert_true(league_is_prediction_poor(cell, 2, some) ==
 			    (noise < 0.015));
-		assert_false(league_misses_held_out_runs(cell, 2, near));
-		assert_false(league_misses_held_out_runs(cell, 0, far));
+		assert_false(league_is_prediction_poor(cell, 2, near));
+		assert_false(league_is_prediction_poor(cell, 0, far));
 	}
 }
 
@@ -107,20 +107,20 @@ extensions_of_the_best_are_no_rivals(void **state)
 	size_t grunditz = 0, energy = 1, vogel = 2;
 	struct league_model m[] = {entrant(grunditz, -200, NAN),
 	    entrant(energy, -195, NAN), entrant(vogel, -180, NAN)};
-	assert_true(league_rank_models(m, 3, NULL, 0));
+	assert_true(league_rule_out_models(m, 3, NULL, 0));
 	assert_int_equal(m[0].standing, LEAGUE_BEST);
 	assert_int_equal(m[1].standing, LEAGUE_POSSIBLE);
 	assert_int_equal(m[2].standing, LEAGUE_OUT_AICC);
 	m[2].aicc = -191;
-	assert_false(league_rank_models(m, 3, NULL, 0));
+	assert_false(league_rule_out_models(m, 3, NULL, 0));
 	/* The larger is better, but not by enough: still one law. */
 	m[1].aicc = -205;
 	m[2].aicc = -180;
-	assert_true(league_rank_models(m, 3, NULL, 0));
+	assert_true(league_rule_out_models(m, 3, NULL, 0));
 	assert_int_equal(m[1].standing, LEAGUE_BEST);
 	/* None has one: nothing is told. */
 	m[0].aicc = m[1].aicc = m[2].aicc = NAN;
-	assert_false(league_rank_models(m, 3, NULL, 0));
+	assert_false(league_rule_out_models(m, 3, NULL, 0));
 }
 
 /* The runs held out overrule AICc, and where both are certain and disagree
@@ -142,35 +142,36 @@ runs_held_out_count_more(void **state)
 	    entrant(0, -200, 0.03), entrant(2, -205, 0.001)};
 	m[0].predicted = bad;
 	m[1].predicted = good;
-	assert_true(league_rank_models(m, 2, cell, N));
+	assert_true(league_rule_out_models(m, 2, cell, N));
 	assert_int_equal(m[0].standing, LEAGUE_OUT_ERROR);
 	m[0].aicc = -220;
-	assert_false(league_rank_models(m, 2, cell, N));
+	assert_false(league_rule_out_models(m, 2, cell, N));
 	assert_int_equal(m[0].standing, LEAGUE_OUT_ERROR);
 	assert_int_equal(m[1].standing, LEAGUE_BEST);
 	/* Alike to 0.1 points, and AICc decides. */
 	m[0].rmse = m[1].rmse + 0.0009;
 	m[0].predicted = good;
-	league_rank_models(m, 2, cell, N);
+	league_rule_out_models(m, 2, cell, N);
 	assert_int_equal(m[0].standing, LEAGUE_BEST);
-	assert_true(league_errs_clearly_more(cell, N, bad, good));
-	assert_false(league_errs_clearly_more(cell, N, good, bad));
+	assert_true(league_is_error_clearly_larger(cell, N, bad, good));
+	assert_false(league_is_error_clearly_larger(cell, N, good, bad));
 	for (size_t i = 0; i < N; i++)
 		cell[i].noise = 0.1;
-	assert_false(league_errs_clearly_more(cell, N, bad, good));
+	assert_false(league_is_error_clearly_larger(cell, N, bad, good));
 }
 
 static void
 models_extend_each_other(void **state)
 {
 	(void)state;
-	assert_true(breakage_extends(1, 0));
-	assert_true(breakage_extends(4, 3) && breakage_extends(4, 1));
-	assert_false(breakage_extends(0, 1));
-	assert_false(breakage_extends(0, 0));
-	assert_false(breakage_extends(2, 0));
+	assert_true(breakage_is_extension_of(1, 0));
+	assert_true(
+	    breakage_is_extension_of(4, 3) && breakage_is_extension_of(4, 1));
+	assert_false(breakage_is_extension_of(0, 1));
+	assert_false(breakage_is_extension_of(0, 0));
+	assert_false(breakage_is_extension_of(2, 0));
 	struct params p = made_params(&TABLE_3[TIERP]);
-	struct params q = breakage_params_in_wider(&p, 4);
+	struct params q = breakage_params_in_wider_model(&p, 4);
 	assert_true(params_value_by_name(&q, "alpha") == p.alpha);
 	assert_true(params_value_by_name(&q, "gamma") == 0);
 	assert_true(params_value_by_name(&q, "bypass") == 0);
@@ -181,24 +182,24 @@ what_changes_nothing_is_left_out(void **state)
 {
 	(void)state;
 	struct params p = made_params(&TABLE_3[TIERP]);
-	struct params wide =
-	    breakage_params_in_wider(&p, breakage_find_by_name("grunditz-t10"));
+	struct params wide = breakage_params_in_wider_model(
+	    &p, breakage_find_by_name("grunditz-t10"));
 	wide.at[breakage_parameter_index(
 	    breakage_model_of_params(&wide), "e_ref")] = 2700;
-	struct params q = breakage_params_in_narrower(&wide);
+	struct params q = breakage_params_in_narrower_model(&wide);
 	assert_int_equal(q.breakage, p.breakage);
 	assert_memory_equal(
 	    q.at, p.at, breakage_model_of_params(&p)->n * sizeof *q.at);
 	wide.at[breakage_parameter_index(
 	    breakage_model_of_params(&wide), "gamma")] = 0.1;
-	q = breakage_params_in_narrower(&wide);
+	q = breakage_params_in_narrower_model(&wide);
 	assert_int_equal(q.breakage, breakage_find_by_name("grunditz-energy"));
 	assert_true(params_value_by_name(&q, "gamma") == 0.1);
 	assert_true(params_value_by_name(&q, "e_ref") == 2700);
 	wide.at[breakage_parameter_index(
 	    breakage_model_of_params(&wide), "kappa")] = 0.1;
 	assert_int_equal(
-	    breakage_params_in_narrower(&wide).breakage, wide.breakage);
+	    breakage_params_in_narrower_model(&wide).breakage, wide.breakage);
 }
 
 static struct fit

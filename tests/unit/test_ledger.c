@@ -41,9 +41,10 @@ expect_product(const struct psd *feed, const struct params *p,
 	struct mass_balance l = mass_balance_new(feed, p, settings, v);
 	double passing[32], finer = 0;
 	struct model *model = model_new(feed, feed->size, feed->n, settings);
-	model_use_params(model, p);
-	model_product(model, v, passing);
-	expect_near("broken", l.broken, model_share_selected(model, v), error);
+	model_set_params(model, p);
+	model_compute_product(model, v, passing);
+	expect_near(
+	    "broken", l.broken, model_broken_feed_share(model, v), error);
 	model_free(model);
 	expect_closed(&l);
 	for (size_t i = feed->n; i-- > 0;) {
@@ -121,9 +122,8 @@ a_faster_rotor_leaves_less_unbroken(void **state)
 	expect_near("changes", change, 0, 1e-9);
 	assert_true(fast.broken > slow.broken);
 	assert_int_equal(
-	    mass_balance_class_of_largest(fast.feed, slow.feed, slow.n), 0);
-	size_t most =
-	    mass_balance_class_of_largest(fast.left, slow.left, slow.n);
+	    mass_balance_largest_class(fast.feed, slow.feed, slow.n), 0);
+	size_t most = mass_balance_largest_class(fast.left, slow.left, slow.n);
 	for (size_t i = 0; i < slow.n; i++)
 		assert_true(fast.left[i] - slow.left[i] <=
 			    fast.left[most] - slow.left[most]);

@@ -80,7 +80,7 @@ assert_near(double value, double wanted, double by)
 static const struct site *
 site_of(struct desk *desk)
 {
-	return session_current_entry(desk->session)->site;
+	return session_current_site_entry(desk->session)->site;
 }
 
 static void

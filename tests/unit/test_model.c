@@ -33,7 +33,7 @@ break_sizes_of_tierp(void **state)
 	static const double mm[] = {6.48, 5.72, 4.94, 4.31, 3.70};
 	struct params p = made_params(&TABLE_3[TIERP]);
 	for (size_t i = 0; i < 5; i++) {
-		double x = selection_break_size(
+		double x = selection_break_size_at_energy(
 		    &p, specific_energy_at_speed(SPEEDS[i]));
 		expect_near("break size, mm", x * 1000, mm[i], 0.005);
 		double E = SPEEDS[i] * SPEEDS[i] / 2;
@@ -46,32 +46,34 @@ break_sizes_at_the_edges(void **state)
 {
 	(void)state;
 	struct params p = made_params(&TABLE_3[TIERP]);
-	assert_true(
-	    isinf(selection_break_size(&p, specific_energy_at_speed(0))));
+	assert_true(isinf(
+	    selection_break_size_at_energy(&p, specific_energy_at_speed(0))));
 	p.e0_min = 0;
-	assert_true(
-	    selection_break_size(&p, specific_energy_at_speed(74)) == 0);
-	assert_true(
-	    isinf(selection_break_size(&p, specific_energy_at_speed(0))));
+	assert_true(selection_break_size_at_energy(
+			&p, specific_energy_at_speed(74)) == 0);
+	assert_true(isinf(
+	    selection_break_size_at_energy(&p, specific_energy_at_speed(0))));
 	p = (struct params){.f_mat = 1, .e0_min = 2738, .alpha = 0};
-	assert_true(
-	    isinf(selection_break_size(&p, specific_energy_at_speed(74))));
-	assert_true(
-	    selection_break_size(&p, specific_energy_at_speed(75)) == 0);
+	assert_true(isinf(
+	    selection_break_size_at_energy(&p, specific_energy_at_speed(74))));
+	assert_true(selection_break_size_at_energy(
+			&p, specific_energy_at_speed(75)) == 0);
 	p.alpha = 1e-6;
-	assert_true(
-	    selection_break_size(&p, specific_energy_at_speed(75)) == 0);
-	assert_true(
-	    isinf(selection_break_size(&p, specific_energy_at_speed(73))));
+	assert_true(selection_break_size_at_energy(
+			&p, specific_energy_at_speed(75)) == 0);
+	assert_true(isinf(
+	    selection_break_size_at_energy(&p, specific_energy_at_speed(73))));
 	p.alpha = 1e-3;
-	double x = selection_break_size(&p, specific_energy_at_speed(74.5));
+	double x =
+	    selection_break_size_at_energy(&p, specific_energy_at_speed(74.5));
 	assert_true(x > 0 && x < 1);
 }
 
 static double
 selected(const struct params *p, double k, double E, double x)
 {
-	return selection_at_size(p->at + PARAM_F_MAT, k, E, el_log(x), NULL);
+	return selection_share_at_size(
+	    p->at + PARAM_F_MAT, k, E, el_log(x), NULL);
 }
 
 static void
@@ -100,7 +102,7 @@ nothing_is_selected_below_the_break_size(void **state)
 		for (size_t i = 0; i < ARRAY_LEN(SPEEDS); i++) {
 			struct params p = made_params(&TABLE_3[row]);
 			double E = specific_energy_at_speed(SPEEDS[i]);
-			double x = selection_break_size(
+			double x = selection_break_size_at_energy(
 			    &p, specific_energy_at_speed(SPEEDS[i]));
 			assert_true(selected(&p, 1, E, x * (1 - 1e-9)) == 0);
 			assert_true(selected(&p, 1, E, x * (1 + 1e-9)) > 0);
@@ -210,7 +212,7 @@ expect_B(const double beta[static 4])
 {
 	static double B[CELLS + 1];
 	naive_B(beta, B);
-	struct appearance a = appearance_with_beta(beta);
+	struct appearance a = appearance_from_beta(beta);
 	assert_true((a.total > 0) == (B[0] > 0));
 	for (size_t i = 0; i <= CELLS && B[0] > 0; i += 97) {
 		double u = exp(-log(1024) / CELLS * (double)i);
@@ -238,7 +240,7 @@ B_rises_from_0_to_1(void **state)
 	struct draw draw = draw_start(25);
 	for (int k = 0; k < 400; k++) {
 		struct params p = made_any_params(&draw);
-		struct appearance a = appearance_with_beta(p.beta);
+		struct appearance a = appearance_from_beta(p.beta);
 		double before = 0;
 		assert_true(passing(&a, 0.999 / 1024) == 0);
 		assert_true(passing(&a, 1) == 1);
@@ -264,13 +266,13 @@ only_the_direction_of_beta_matters(void **state)
 	struct draw draw = draw_start(26);
 	for (int k = 0; k < 200; k++) {
 		struct params p = made_any_params(&draw), q = p;
-		params_scale_gauge_to_1(&q);
+		params_scale_largest_beta_to_1(&q);
 		double largest = 0;
 		for (size_t b = 0; b < 4; b++)
 			largest = fmax(largest, fabs(q.beta[b]));
 		assert_true(largest == 1);
-		struct appearance a = appearance_with_beta(p.beta);
-		struct appearance b = appearance_with_beta(q.beta);
+		struct appearance a = appearance_from_beta(p.beta);
+		struct appearance b = appearance_from_beta(q.beta);
 		for (double u = 1.0 / 1024; u < 1; u *= 1.3)
 			expect_near(
 			    "B(u)", passing(&a, u), passing(&b, u), 1e-11);
@@ -297,7 +299,7 @@ no_daughters_leaves_the_parent_whole(void **state)
 	    {-1, 1, 0, 0}, {-1, -2, -3, -4}, {NAN, 0, 0, 0}};
 	const double x[4] = {9e-3, 5e-3, 2e-3, 1e-3};
 	for (size_t i = 0; i < ARRAY_LEN(none); i++) {
-		struct appearance a = appearance_with_beta(none[i]);
+		struct appearance a = appearance_from_beta(none[i]);
 		assert_true(a.total == 0 && a.n == 0);
 		assert_true(passing(&a, 0.999) == 0);
 		assert_true(passing(&a, 1) == 1);
@@ -381,7 +383,7 @@ the_table_of_parameters_is_whole(void **state)
 	assert_int_equal(
 	    breakage_parameter_index(BREAKAGES[0], "beta5"), PARAM_COUNT);
 	struct params none = {0};
-	params_scale_gauge_to_1(&none);
+	params_scale_largest_beta_to_1(&none);
 	assert_true(none.beta[0] == 0 && none.beta[3] == 0);
 }
 

@@ -42,18 +42,18 @@ why_takes_the_sheet_at_its_word(void **state)
 	desk_expect(desk, "load data/sites/tierp.csv; "
 			  "params set f_mat=2 e0_min=16 alpha=1");
 	assert_true(says(desk, "why", "not measured at a plant: recon"));
-	char *own = session_current_entry(s)->site->provenance;
-	session_current_entry(s)->site->provenance =
+	char *own = session_current_site_entry(s)->site->provenance;
+	session_current_site_entry(s)->site->provenance =
 	    xstrdup("belt cuts of 3 May; wet");
 	assert_true(says(desk, "why",
 	    "The site file states the provenance of its data: belt cuts of "
 	    "3 May."));
 	assert_true(says(desk, "sites", "measured"));
-	session_current_entry(s)->site->provenance[0] = '\0';
+	session_current_site_entry(s)->site->provenance[0] = '\0';
 	assert_true(
 	    says(desk, "why", "does not state where its data are from"));
-	free(session_current_entry(s)->site->provenance);
-	session_current_entry(s)->site->provenance = own;
+	free(session_current_site_entry(s)->site->provenance);
+	session_current_site_entry(s)->site->provenance = own;
 }
 
 static void
@@ -81,18 +81,19 @@ parameters_keep_their_origin_in_use_by_another(void **state)
 	struct session *s = desk->session;
 	use_of_another(desk);
 	const struct entry *tierp = &s->entry[0],
-			   *bro = session_current_entry(s);
+			   *bro = session_current_site_entry(s);
 	assert_string_equal(bro->origin->from, "tierp");
 	assert_int_equal(bro->origin->n_speed, 2);
 	assert_true(bro->origin->speed[1] == 79);
 	assert_string_equal(bro->origin->provenance, tierp->site->provenance);
 	assert_true(answers_is_speed_extrapolated(bro, 80));
 	assert_false(answers_is_speed_extrapolated(bro, 70));
-	assert_ptr_equal(posterior_for_comparison(s, bro),
-	    posterior_for_comparison(s, tierp));
+	assert_ptr_equal(posterior_even_if_correction_off(s, bro),
+	    posterior_even_if_correction_off(s, tierp));
 	/* From hand to hand they stay Tierp's. */
 	desk_expect(desk, "load data/sites/umea.csv; params use bro");
-	assert_string_equal(session_current_entry(s)->origin->from, "tierp");
+	assert_string_equal(
+	    session_current_site_entry(s)->origin->from, "tierp");
 	assert_true(says(desk, "predict 90",
 	    "parameters from tierp (trained at 69 and 79 m/s; reconstructed, "
 	    "not"));
@@ -109,7 +110,7 @@ a_shared_fit_has_a_band_for_each_site(void **state)
 	for (int i = 0; i < 4; i++) {
 		desk_expect(desk, i % 2 == 0 ? "use tierp; predict 74"
 					     : "use bro; predict 74");
-		const struct entry *entry = session_current_entry(s);
+		const struct entry *entry = session_current_site_entry(s);
 		struct prediction p = forecast_whole_product(
 		    s, entry, 74, site_run_at_speed(entry->site, 74));
 		assert_non_null(p.low);
@@ -129,7 +130,7 @@ each_feed_has_its_own_band(void **state)
 	struct desk *desk = *state;
 	struct session *s = desk->session;
 	desk_expect(desk, "synth data/table3.csv site=Umea seed=3; calibrate");
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	for (size_t feed = 0; feed < entry->site->n_run; feed++) {
 		struct prediction p =
 		    forecast_whole_product(s, entry, 74, feed);
@@ -148,22 +149,26 @@ undo_and_redo_carry_the_origin(void **state)
 	use_of_another(desk);
 	desk_expect(desk, "params set f_mat=1");
 	assert_string_equal(
-	    session_current_entry(s)->origin->words, "set by hand");
-	assert_null(posterior_for_comparison(s, session_current_entry(s)));
+	    session_current_site_entry(s)->origin->words, "set by hand");
+	assert_null(
+	    posterior_even_if_correction_off(s, session_current_site_entry(s)));
 	desk_expect(desk, "undo");
-	assert_string_equal(session_current_entry(s)->origin->from, "tierp");
-	assert_non_null(posterior_for_comparison(s, session_current_entry(s)));
+	assert_string_equal(
+	    session_current_site_entry(s)->origin->from, "tierp");
+	assert_non_null(
+	    posterior_even_if_correction_off(s, session_current_site_entry(s)));
 	desk_expect(desk, "undo");
-	assert_null(session_current_entry(s)->origin);
+	assert_null(session_current_site_entry(s)->origin);
 	desk_expect(desk, "redo; drop tierp; predict 90");
-	assert_string_equal(session_current_entry(s)->origin->from, "tierp");
+	assert_string_equal(
+	    session_current_site_entry(s)->origin->from, "tierp");
 	/* Equal numbers of other origin are a change. */
 	desk_expect(desk, "recall ubbarp; recall gasgruvan");
 	assert_string_equal(
-	    session_current_entry(s)->origin->from, "table3/gasgruvan");
+	    session_current_site_entry(s)->origin->from, "table3/gasgruvan");
 	desk_expect(desk, "undo");
 	assert_string_equal(
-	    session_current_entry(s)->origin->from, "table3/ubbarp");
+	    session_current_site_entry(s)->origin->from, "table3/ubbarp");
 }
 
 static void
@@ -173,10 +178,10 @@ a_fit_of_few_cells_is_not_judged(void **state)
 	struct session *s = desk->session;
 	desk_expect(desk, "load data/sites/tierp.csv; "
 			  "calibrate population=200 train=69");
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	assert_int_equal(entry->fit.n_residual, 12);
 	assert_int_equal(entry->fit.parameters, 7);
-	assert_non_null(posterior_for_comparison(s, entry));
+	assert_non_null(posterior_even_if_correction_off(s, entry));
 	assert_int_equal(entry->fit.cells, 11);
 	/* One passing more than parameters is enough, as many are not; that of
 	 * the coarsest sieve is 100 % whatever is done. */
@@ -186,8 +191,8 @@ a_fit_of_few_cells_is_not_judged(void **state)
 		desk_expect(desk, "calibrate population=200 train=69");
 		assert_int_equal(entry->fit.n_residual, n + 1);
 		assert_int_equal(entry->fit.cells, n);
-		assert_int_equal(posterior_for_comparison(
-				     s, session_current_entry(s)) != NULL,
+		assert_int_equal(posterior_even_if_correction_off(
+				     s, session_current_site_entry(s)) != NULL,
 		    n > 7);
 	}
 	assert_string_equal(verdict_on_fit(s, entry, NULL), "too few data");
@@ -215,16 +220,17 @@ another_feed_leaves_the_session_as_it_was(void **state)
 	struct session *s = desk->session;
 	const struct entry was = s->entry[0];
 	desk_expect(desk, "predict 74");
-	double own = session_answer_number(s, "predict", "p50_mm");
+	double own = session_number_in_last_answer(s, "predict", "p50_mm");
 	for (size_t i = 0; i < ARRAY_LEN(LINE); i++) {
 		assert_true(desk_say(desk, LINE[i]) == (i < 3));
 		assert_memory_equal(&s->entry[0], &was, sizeof was);
 		assert_int_equal(was.site->n_run, 3);
 	}
-	assert_true(
-	    fabs(session_answer_number(s, "predict", "p50_mm") - own) > 1e-4);
+	assert_true(fabs(session_number_in_last_answer(s, "predict", "p50_mm") -
+			 own) > 1e-4);
 	desk_expect(desk, "predict 74");
-	assert_true(session_answer_number(s, "predict", "p50_mm") == own);
+	assert_true(
+	    session_number_in_last_answer(s, "predict", "p50_mm") == own);
 }
 
 static bool
@@ -244,12 +250,12 @@ evidence_stays_where_it_is(void **state)
 	    desk, "load data/sites/tierp.csv; calibrate population=200");
 	struct entry *entry = &s->entry[0];
 	struct history *h = entry->origin->history;
-	history_discard_draws(h, &s->set);
+	history_reset_posteriors(h, &s->set);
 	h->stop = at_once;
-	const struct evidence *e = evidence_on_calibration(s, entry);
+	const struct evidence *e = trust_evidence_of_calibration(s, entry);
 	assert_true(isnan(e->discrepancy));
 	h->stop = NULL;
-	assert_ptr_equal(evidence_on_calibration(s, entry), e);
+	assert_ptr_equal(trust_evidence_of_calibration(s, entry), e);
 	assert_true(isfinite(e->discrepancy));
 }
 

@@ -220,7 +220,7 @@ a_doubtful_cell_is_marked_and_mended_by_a_key(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(stage->desk, "mend product@74 sieve=1 value=15.82");
 	desk_expect(stage->desk, "calibrate");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	press(t, "3");
 	const char *row = row_of(stage, 9);
 	assert_non_null(strstr(row, "15.82!"));
@@ -272,7 +272,7 @@ parity_has_the_statistics_of_validate(void **state)
 	assert_non_null(strstr(row_of(stage, 6), "no loaded site has"));
 	desk_expect(stage->desk, "calibrate all");
 	desk_expect(stage->desk, "validate all");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	press(t, "4");
 	assert_int_equal(t->view.parity.runs.n, 3);
 	const struct session *s = t->session;
@@ -284,9 +284,10 @@ parity_has_the_statistics_of_validate(void **state)
 		for (size_t i = 0; i < PSD_SIZES; i++) {
 			struct validate_score score = trials_score_at_size(
 			    &t->view.parity.runs, (enum validate_way)way, i);
-			assert_true(fabs(100 * score.rms -
-					 session_answer_number(s, "validate",
-					     PATHS[way][i])) < 1e-12);
+			assert_true(
+			    fabs(100 * score.rms -
+				 session_number_in_last_answer(
+				     s, "validate", PATHS[way][i])) < 1e-12);
 		}
 	press(t, "Down Down");
 	const struct chart *chart = t->view.parity.chart;
@@ -304,10 +305,10 @@ parity_has_the_statistics_of_validate(void **state)
 	for (; *key != '\0'; key++)
 		keymap_handle_key(t, *key, false);
 	press(t, "Enter");
-	assert_int_equal(list_count_matching(t), 1);
+	assert_int_equal(list_count_matching_rows(t), 1);
 	assert_int_equal(t->ui.list[PAGE_PARITY].at, chosen);
 	press(t, "Esc");
-	assert_int_equal(list_count_matching(t), 3);
+	assert_int_equal(list_count_matching_rows(t), 3);
 	/* A step of the slider compares nothing. */
 	const struct trial *was = t->view.parity.runs.item;
 	press(t, "= 7 2 Enter");
@@ -325,7 +326,7 @@ one_run_has_a_mark_for_each_size(void **state)
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	press(t, "4");
 	assert_int_equal(t->view.parity.runs.n, 1);
 	size_t n = 0;
@@ -354,7 +355,7 @@ small_screens_say_all_or_that_they_cut(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "use tierp; calibrate generations=20 population=100");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	resize(stage, 12, 40);
 	press(t, "1");
 	assert_non_null(strstr(row_of(stage, 11), "? keys"));
@@ -388,12 +389,12 @@ an_extrapolated_size_says_so(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	t->ui.speed = 84;
 	press(t, "5 g");
 	assert_true(frame_has(stage, 24, "? extrapolated: 84.0 m/s"));
 	t->ui.speed = 74;
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	press(t, "5");
 	assert_false(frame_has(stage, 24, "? extrapolated:"));
 }
@@ -407,7 +408,7 @@ the_sieve_asked_about_has_a_row(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	resize(stage, 30, 100);
 	press(t, "1");
 	for (size_t i = 1; i < 4; i++) {
@@ -429,7 +430,7 @@ few_rows_have_what_matters_at_the_speed(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, "use tierp; calibrate population=200");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	press(t, "1 c");
 	assert_true(frame_has(stage, 24, "meas 74"));
 	assert_false(frame_has(stage, 24, "meas 69"));
@@ -448,7 +449,7 @@ another_feed_is_named_and_not_compared(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, "use tierp; calibrate population=200");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	press(t, "1");
 	assert_non_null(strstr(row_of(stage, 15), "held out"));
 	assert_true(frame_has(stage, 24, "now vs 74"));
@@ -499,7 +500,7 @@ what_keys_changed_is_said(void **state)
 	press(t, "+ + + + + + + +");
 	assert_non_null(strstr(t->message, "pace: as many"));
 	desk_expect(stage->desk, "use tierp; calibrate population=200");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	press(t, "1 b");
 	assert_non_null(strstr(t->message, "band on"));
 	press(t, "b");
@@ -516,7 +517,7 @@ a_stopped_search_says_how_good_the_fit_is_that_stays(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, "use tierp; calibrate population=200; "
 				 "calibrate population=64 pause=1");
-	control_update_state(t);
+	control_discard_outdated_state(t);
 	assert_true(t->session->job.held_back);
 	press(t, "2");
 	assert_true(frame_has(stage, 24, "stopped; this stays: good"));

@@ -98,7 +98,8 @@ enum { LINES_N = sizeof LINES / sizeof LINES[0] };
 static unsigned
 rgb_of(size_t i, enum theme theme)
 {
-	return palette_colour_to_rgb(palette_colour(LINES[i], 256, theme));
+	return palette_colour_to_rgb(
+	    palette_colour_of_series(LINES[i], 256, theme));
 }
 
 static void
@@ -169,13 +170,15 @@ few_colours_are_not_used_twice(void **state)
 			for (size_t j = 0; j < i; j++) {
 				int depth = k % 2 == 0 ? 8 : 16;
 				enum theme theme = (enum theme)(k / 2);
-				int a = palette_colour(LINES[i], depth, theme);
-				assert_true(
-				    a == -1 || a != palette_colour(LINES[j],
-							depth, theme));
+				int a = palette_colour_of_series(
+				    LINES[i], depth, theme);
+				assert_true(a == -1 ||
+					    a != palette_colour_of_series(
+						     LINES[j], depth, theme));
 				assert_int_not_equal(a, 8);
 			}
-	assert_int_equal(palette_colour(SERIES_PREDICTED, 0, THEME_NORMAL), -1);
+	assert_int_equal(
+	    palette_colour_of_series(SERIES_PREDICTED, 0, THEME_NORMAL), -1);
 }
 
 /* Yellow and bright colours are not read on white. */
@@ -185,8 +188,8 @@ few_colours_on_white_are_dark(void **state)
 	(void)state;
 	for (int depth = 8; depth <= 16; depth += 8)
 		for (int i = 0; i < SERIES_COUNT; i++) {
-			int a =
-			    palette_colour((enum series)i, depth, THEME_LIGHT);
+			int a = palette_colour_of_series(
+			    (enum series)i, depth, THEME_LIGHT);
 			assert_true(a == -1 ||
 				    contrast(palette_colour_to_rgb(a), LIGHT) >
 					ANY_GROUND);

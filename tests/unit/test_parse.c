@@ -33,8 +33,8 @@ lines_are_split_into_words(void **state)
 		struct words words;
 		struct error error = {0};
 		char *joined = xstrdup("");
-		assert_true(
-		    words_split(LINES[i].line, 0, CALL_PLACE, &words, &error));
+		assert_true(words_split_line(
+		    LINES[i].line, 0, CALL_PLACE, &words, &error));
 		for (size_t w = 0; w < words.n; w++) {
 			char *more = xasprintf(
 			    "%s%s%s", joined, w > 0 ? "|" : "", words.text[w]);
@@ -58,13 +58,13 @@ a_line_can_be_taken_up_in_its_midst(void **state)
 	struct words words;
 	struct error error = {0};
 	const char *line = "use å; use Borlänge; seed 3";
-	assert_true(words_split(line, 7, CALL_PLACE, &words, &error));
+	assert_true(words_split_line(line, 7, CALL_PLACE, &words, &error));
 	assert_string_equal(words.text[1], "Borlänge");
 	assert_int_equal(words.column[0], 8);
 	assert_int_equal(words.column[1], 12);
 	size_t next = words.next;
 	words_free(&words);
-	assert_true(words_split(line, next, CALL_PLACE, &words, &error));
+	assert_true(words_split_line(line, next, CALL_PLACE, &words, &error));
 	assert_string_equal(words.text[0], "seed");
 	assert_int_equal(words.column[0], 22);
 	words_free(&words);
@@ -196,8 +196,8 @@ results_go_where_the_line_says(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {
 		struct words words;
 		struct error error = {0};
-		assert_true(
-		    words_split(lines[i].line, 0, CALL_PLACE, &words, &error));
+		assert_true(words_split_line(
+		    lines[i].line, 0, CALL_PLACE, &words, &error));
 		assert_int_equal(words.n, 1);
 		assert_int_equal(words.to, lines[i].to);
 		assert_string_equal(words.target, lines[i].target);

@@ -150,7 +150,8 @@ static void
 every_sieve_of_the_sheet_is_a_tick(void **state)
 {
 	struct desk *desk = *state;
-	const struct site *site = session_current_entry(desk->session)->site;
+	const struct site *site =
+	    session_current_site_entry(desk->session)->site;
 	struct plot_request q = plots_default_request(PLOT_PSD);
 	struct chart *c = chart_of(desk, &q);
 	const struct psd *psd = &site->run[0].product;
@@ -178,14 +179,15 @@ a_running_search_shows_its_best_so_far(void **state)
 	chart_free(c);
 	struct params p, best = calibration_status(s->job.calibration).params;
 	q = plots_default_request(PLOT_PSD);
-	q.asked.entry = session_current_entry(s);
-	assert_true(find_params_to_plot(s, &q, &p, &desk->error));
+	q.asked.entry = session_current_site_entry(s);
+	assert_true(find_param_values_for_plot(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &best, sizeof p);
 	while (session_is_calibrating(s))
 		session_step_job(s);
 	assert_true(session_end_finished_commands(s, true, &desk->error));
-	assert_true(find_params_to_plot(s, &q, &p, &desk->error));
-	assert_memory_equal(&p, &session_current_entry(s)->params, sizeof p);
+	assert_true(find_param_values_for_plot(s, &q, &p, &desk->error));
+	assert_memory_equal(
+	    &p, &session_current_site_entry(s)->params, sizeof p);
 }
 
 static void
@@ -193,12 +195,14 @@ a_generation_shows_its_own_best(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
-	const struct history *h = session_current_entry(desk->session)->history;
+	const struct history *h =
+	    session_current_site_entry(desk->session)->history;
 	struct plot_request q = plots_default_request(PLOT_PSD);
 	struct params p = {0};
-	q.asked.entry = session_current_entry(desk->session);
+	q.asked.entry = session_current_site_entry(desk->session);
 	q.generation = 7;
-	assert_true(find_params_to_plot(desk->session, &q, &p, &desk->error));
+	assert_true(
+	    find_param_values_for_plot(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
 	q.kind = PLOT_CONVERGENCE;
 	struct chart *c = chart_of(desk, &q);
@@ -243,7 +247,7 @@ a_search_is_shown_on_a_scale_that_it_fills(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	const struct history *h = entry->history;
 	struct plot_request q = plots_default_request(PLOT_SEARCH),
 			    r = plots_default_request(PLOT_CONVERGENCE);
@@ -314,7 +318,7 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	q.other_speed = 70;
 	q.beside = "tierp";
 	desk_expect(desk, PARAMS_SET);
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	struct prediction kept =
 	    forecast_whole_product(s, entry, 70, SITE_MEAN_FEED);
 	desk_expect(desk, "load data/sites/bro.csv");
@@ -353,7 +357,7 @@ a_second_prediction_has_its_own_feed(void **state)
 	q.asked.speed = 79;
 	q.other_speed = 74;
 	for (size_t i = 0; i < 2; i++) {
-		const struct entry *entry = session_current_entry(s);
+		const struct entry *entry = session_current_site_entry(s);
 		size_t feed = feed_run_at_speed_or_mean(entry->site, FEEDS[i]);
 		struct prediction want =
 		    forecast_whole_product(s, entry, 74, feed);
@@ -527,7 +531,7 @@ runs_are_drawn_with_their_own_feeds(void **state)
 	static const double FURTHER[] = {65, 85};
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	const struct site *site = entry->site;
 	struct plot_request q = plots_default_request(PLOT_RUNS);
 	q.asked.n_at = ARRAY_LEN(FURTHER);
@@ -550,9 +554,11 @@ runs_are_drawn_with_their_own_feeds(void **state)
 		prediction_free(&of);
 	}
 	assert_int_equal(series_of(c, "feed 74 m/s")->line, CHART_LONG);
-	double slow = chart_y_at(c, series_of(c, "predicted 65 m/s"), 2),
-	       fast = chart_y_at(c, series_of(c, "predicted 85 m/s"), 2),
-	       at = chart_y_at(c, series_of(c, "predicted 74 m/s"), 2);
+	double slow =
+		   chart_series_y_at_x(c, series_of(c, "predicted 65 m/s"), 2),
+	       fast =
+		   chart_series_y_at_x(c, series_of(c, "predicted 85 m/s"), 2),
+	       at = chart_series_y_at_x(c, series_of(c, "predicted 74 m/s"), 2);
 	assert_true(slow < at && at < fast);
 	chart_free(c);
 }
@@ -604,7 +610,7 @@ parity_says_how_good_it_is(void **state)
 		static const char *const OF[] = {"bias_pct", "rms_pct", "r2"};
 		for (size_t k = 0; k < ARRAY_LEN(OF); k++) {
 			snprintf(name, sizeof name, "%s.%s", SIZES[i], OF[k]);
-			value[k] = session_answer_number(
+			value[k] = session_number_in_last_answer(
 			    desk->session, "validate", name);
 		}
 		snprintf(wanted, sizeof wanted,

@@ -37,7 +37,7 @@ polish_goes_to_the_bottom_of_an_exact_valley(void **state)
 		struct bounds bounds = bounds_default(0);
 		double before = misfit_of_params(m, &p);
 		struct polish_result r =
-		    polish_run(polish, &bounds, 300, NULL, &p);
+		    polish_minimise_misfit(polish, &bounds, 300, NULL, &p);
 		if (!(r.misfit < 1e-20))
 			fail_msg("row %zu: misfit %g after %d", row, r.misfit,
 			    r.evaluations);
@@ -73,7 +73,8 @@ polish_is_never_worse_and_keeps_to_the_bounds(void **state)
 		p.e0_min = fmin(p.e0_min, 25);
 		b.lower[held] = b.upper[held] = p.at[held];
 		double before = misfit_of_params(m, &p);
-		struct polish_result r = polish_run(polish, &b, 30, NULL, &p);
+		struct polish_result r =
+		    polish_minimise_misfit(polish, &b, 30, NULL, &p);
 		assert_true(r.misfit <= before);
 		expect_near("misfit", r.misfit, misfit_of_params(m, &p),
 		    1e-12 * before);
@@ -101,16 +102,17 @@ polish_leaves_a_bound_that_does_not_hold_it(void **state)
 	struct bounds b = bounds_default(0);
 	p.alpha = b.upper[PARAM_ALPHA];
 	p.e0_min = 19;
-	struct polish_result r = polish_run(polish, &b, 300, NULL, &p);
+	struct polish_result r =
+	    polish_minimise_misfit(polish, &b, 300, NULL, &p);
 	assert_true(r.misfit < 1e-20);
 	expect_near("alpha", p.alpha, truth.alpha, 1e-7);
 	p.alpha = b.lower[PARAM_ALPHA] = 0.92;
-	r = polish_run(polish, &b, 300, NULL, &p);
+	r = polish_minimise_misfit(polish, &b, 300, NULL, &p);
 	expect_near("alpha", p.alpha, truth.alpha, 1e-7);
 	b.lower[PARAM_ALPHA] = 0;
 	b.upper[PARAM_ALPHA] = 0.9; /* now the truth is out of reach */
 	p.alpha = 0.85;
-	r = polish_run(polish, &b, 300, NULL, &p);
+	r = polish_minimise_misfit(polish, &b, 300, NULL, &p);
 	assert_true(r.misfit > 1e-12 && p.alpha == 0.9);
 	polish_free(polish);
 	misfit_free(m);
@@ -133,7 +135,8 @@ settling_ends_at_the_same_bits(void **state)
 		struct params p = made_params(&TABLE_3[TIERP]), first;
 		b.upper[PARAM_ALPHA] = k == 0 ? 1.3 : 0.9;
 		p.alpha = fmin(p.alpha, b.upper[PARAM_ALPHA]);
-		struct polish_result r = polish_run(polish, &b, 1000, NULL, &p);
+		struct polish_result r =
+		    polish_minimise_misfit(polish, &b, 1000, NULL, &p);
 		assert_true(r.converged);
 		if (k == 1)
 			assert_true(p.alpha == 0.9);
@@ -144,7 +147,7 @@ settling_ends_at_the_same_bits(void **state)
 				bool held = j == PARAM_ALPHA && k == 1;
 				q.at[j] *= held ? 1 : 1 + by;
 			}
-			params_scale_gauge_to_1(&q);
+			params_scale_largest_beta_to_1(&q);
 			assert_true(settle_at_stationary_point(m, &b, &q));
 			assert_true(
 			    misfit_of_params(m, &q) <= r.misfit * (1 + 1e-12));

@@ -112,8 +112,8 @@ exact_product(const struct params *p, const struct strengths *rock,
 		struct params q = *p;
 		double share = k == 0 ? 1 - rock->share : rock->share;
 		q.at[breakage_model_of_params(p)->strength + 1] *= by[k];
-		model_use_params(model, &q);
-		model_product(model, v, part);
+		model_set_params(model, &q);
+		model_compute_product(model, v, part);
 		for (size_t i = 0; i < at->n; i++)
 			out[i] += share * part[i];
 	}
@@ -302,7 +302,7 @@ width_of_band(struct ensemble *e, double v, size_t sieve, double *mean)
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 	for (size_t i = N; i < ensemble_count_sieves(e) * N; i++)
 		assert_true(P[i] <= P[i - N]);
-	ensemble_row_interval(e, ENSEMBLE_ANSWER, sieve, 0.8, &low, &high);
+	ensemble_interval_at_sieve(e, ENSEMBLE_ANSWER, sieve, 0.8, &low, &high);
 	return high - low;
 }
 
@@ -350,8 +350,8 @@ count(const struct known *k, struct ensemble *e, size_t *in, size_t *all)
 	double row[N], low, high, *truth = xcalloc_doubles(run->feed.n);
 	struct model *model = model_new(
 	    &run->feed, run->feed.size, run->feed.n, model_settings_default());
-	model_use_params(model, &k->truth);
-	model_product(model, 74, truth);
+	model_set_params(model, &k->truth);
+	model_compute_product(model, 74, truth);
 	ensemble_set_speed(e, 74);
 	for (size_t i = 0; i < run->feed.n; i++) {
 		memcpy(row, ensemble_products(e, ENSEMBLE_ANSWER) + i * N,
@@ -403,7 +403,7 @@ draw_many(struct site **site, size_t n, unsigned threads, enum isa isa,
 		speed[r] = 66 + 18 * (double)r / (double)(n - 1);
 		use[r] = true;
 	}
-	*site = synth_site(&(struct synth){.top_size = 0.0112,
+	*site = synth_make_site(&(struct synth){.top_size = 0.0112,
 	    .params = made_params(&TABLE_3[TIERP]),
 	    .n = 1,
 	    .noise = 0.005,
@@ -444,7 +444,8 @@ test_many_runs(void **state)
 	ensemble_set_speed(e, run->speed);
 	ensemble_mean_answer(e, answer);
 	for (size_t i = 0; i < n; i++) {
-		ensemble_row_interval(e, ENSEMBLE_ANSWER, i, 0.9, &low, &high);
+		ensemble_interval_at_sieve(
+		    e, ENSEMBLE_ANSWER, i, 0.9, &low, &high);
 		expect_near("answer", answer[i], truth[i], 0.004);
 		held += truth[i] > low - 1e-4 && truth[i] < high + 1e-4;
 		assert_true(high - low < 0.01);
@@ -524,26 +525,26 @@ test_machine(void **state)
 	memcpy(own, P, size * sizeof *own);
 	struct model_settings machine = p->settings;
 	machine.bypass = 0.25;
-	ensemble_set_machine(e, machine);
+	ensemble_set_machine_settings(e, machine);
 	ensemble_set_speed(e, 74);
 	for (size_t i = 0; i < size; i++)
 		expect_near("led past", P[i],
 		    0.75 * own[i] + 0.25 * feed->passing[i / N], 1e-12);
 	machine = p->settings;
 	machine.k *= 2;
-	ensemble_set_machine(e, machine);
+	ensemble_set_machine_settings(e, machine);
 	ensemble_set_speed(e, 74);
 	double finer = 0;
 	for (size_t i = 0; i < size; i++)
 		finer += P[i] - own[i];
 	assert_true(finer / (double)size > 1e-4);
-	ensemble_set_machine(e, p->settings);
+	ensemble_set_machine_settings(e, p->settings);
 	ensemble_set_speed(e, 74);
 	assert_memory_equal(P, own, size * sizeof *own);
 	/* To where it is already, and back from what others left there. */
 	ensemble_set_speed(e, 74);
 	assert_memory_equal(P, own, size * sizeof *own);
-	ensemble_set_speed_as_drawn(e, 60);
+	ensemble_set_speed_unconstrained(e, 60);
 	ensemble_set_speed(e, 74);
 	assert_memory_equal(P, own, size * sizeof *own);
 	ensemble_set_speed(e, 80);
@@ -605,7 +606,7 @@ draws_that_are_left_keep_the_ends(void **state)
 		k.options.seed = b + 1;
 		p[b] = posterior_of(&k, 1, ISA_BEST);
 		e[b] = ensemble_new(p[b], feed, feed->size, feed->n);
-		thin_add_answers_of_batch(thin, p[b]);
+		thin_add_posterior_batch(thin, p[b]);
 	}
 	thin_choose_draws(thin, chosen);
 	for (double v = 67.5; v < 85; v += 5)
@@ -676,9 +677,9 @@ a_slow_correction_follows_the_draw(void **state)
 	double *before = xcalloc_doubles(feed->n),
 	       *delta = xcalloc_doubles(feed->n);
 	double most = 0;
-	ensemble_set_speed_as_drawn(e, held);
+	ensemble_set_speed_unconstrained(e, held);
 	ensemble_discrepancy_of_draw(e, 0, before);
-	ensemble_set_speed_as_drawn(e, slow);
+	ensemble_set_speed_unconstrained(e, slow);
 	ensemble_discrepancy_of_draw(e, 0, delta);
 	for (size_t i = 0; i < feed->n; i++) {
 		expect_near("held", delta[i], before[i], 1e-12);
@@ -738,7 +739,7 @@ read_rows(struct ensemble *e, double v, struct rows *r)
 	    n * sizeof *r->draw);
 	ensemble_mean_answer(e, r->mean);
 	for (size_t i = 0; i < n; i++)
-		ensemble_row_interval(
+		ensemble_interval_at_sieve(
 		    e, ENSEMBLE_ANSWER, i, 0.8, &r->low[i], &r->high[i]);
 }
 
@@ -841,7 +842,7 @@ answers_of(const struct known *k, size_t n, double speed)
 	ensemble_set_speed(e, speed);
 	ensemble_mean_answer(e, answer);
 	for (size_t i = 0; i < n; i++)
-		ensemble_row_interval(e, ENSEMBLE_ANSWER, i, 0.8,
+		ensemble_interval_at_sieve(e, ENSEMBLE_ANSWER, i, 0.8,
 		    &answer[n + i], &answer[2 * n + i]);
 	ensemble_free(e);
 	posterior_free(p);
@@ -1146,10 +1147,10 @@ smooth_residuals_are_the_products_where_the_law_is_wrong(void **state)
 	memset(p->lack, 0, p->n_speed * p->n_knot * sizeof *p->lack);
 	double none = missed_at_runs(p, site, use);
 	p->straight = 0.1;
-	lack_of_fit_add_smooth(p, m);
+	lack_of_fit_add_smooth_part(p, m);
 	assert_true(missed_at_runs(p, site, use) == none);
 	p->straight = 0.75;
-	lack_of_fit_add_smooth(p, m);
+	lack_of_fit_add_smooth_part(p, m);
 	double added = missed_at_runs(p, site, use);
 	print_message(", without %g, added %g\n", none, added);
 	assert_true(found < 0.7 * none && added < 0.7 * none);

@@ -27,8 +27,8 @@ one_passing(const struct psd *feed, const struct params *p,
 {
 	double passing;
 	struct model *model = model_new(feed, &size, 1, settings);
-	model_use_params(model, p);
-	model_product(model, v, &passing);
+	model_set_params(model, p);
+	model_compute_product(model, v, &passing);
 	model_free(model);
 	return passing;
 }
@@ -76,7 +76,7 @@ model_of(const struct psd *feed, const struct params *p,
     struct model_settings settings)
 {
 	struct model *model = model_new(feed, feed->size, feed->n, settings);
-	model_use_params(model, p);
+	model_set_params(model, p);
 	return model;
 }
 
@@ -86,7 +86,7 @@ product_of(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v, double *passing)
 {
 	struct model *model = model_of(feed, p, settings);
-	model_product(model, v, passing);
+	model_compute_product(model, v, passing);
 	model_free(model);
 }
 
@@ -137,7 +137,7 @@ static void
 expect_product(const struct psd *feed, struct model *model, double v,
     double error, const double *slower, double *passing)
 {
-	model_product(model, v, passing);
+	model_compute_product(model, v, passing);
 	expect_near("top sieve", passing[0], 1, 1e-12);
 	for (size_t i = 0; i < feed->n; i++) {
 		assert_true(passing[i] >= 0 && passing[i] <= 1);
@@ -169,7 +169,7 @@ faster_is_never_coarser_and_keeps_the_mass(void **state)
 			double v = 1 + 10.3 * (double)i;
 			expect_product(&feed, model, v, error, passing[i % 2],
 			    passing[(i + 1) % 2]);
-			double selected = model_share_selected(model, v);
+			double selected = model_broken_feed_share(model, v);
 			assert_true(selected >= before - 1e-12);
 			assert_true(selected <= 1 + 1e-12);
 			before = selected;
@@ -197,7 +197,7 @@ the_product_does_not_jump_with_the_speed(void **state)
 			double *now = got[k % 2], *then = got[(k + 1) % 2];
 			naive_continuous(feed, feed->size, feed->n, &p, v, 3000,
 			    want[k % 2]);
-			model_product(model, v, now);
+			model_compute_product(model, v, now);
 			for (size_t i = 0; i < feed->n && k > 0; i++) {
 				double moved = fabs(now[i] - then[i]);
 				double exact = fabs(want[0][i] - want[1][i]);
@@ -218,18 +218,18 @@ expect_jacobian(const struct psd *feed, struct params p, double v)
 	double J[SIEVES * PARAM_COUNT];
 	struct model *model = model_of(feed, &p, model_settings_default());
 	model_jacobian(model, v, passing, J);
-	model_product(model, v, up);
+	model_compute_product(model, v, up);
 	assert_memory_equal(passing, up, feed->n * sizeof *up);
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
 		double at = p.at[j];
 		double scale = j < 4 ? 1 : fmax(at, 0.05), h = 3e-6 * scale;
 		struct params q = p;
 		q.at[j] = at + h;
-		model_use_params(model, &q);
-		model_product(model, v, up);
+		model_set_params(model, &q);
+		model_compute_product(model, v, up);
 		q.at[j] = at - h;
-		model_use_params(model, &q);
-		model_product(model, v, down);
+		model_set_params(model, &q);
+		model_compute_product(model, v, down);
 		for (size_t i = 0; i < feed->n; i++) {
 			double slope = (up[i] - down[i]) / (2 * h);
 			expect_near(PARAMS[j].name,
@@ -268,7 +268,7 @@ classes_have_derivatives_too(void **state)
 		struct model *model =
 		    model_of(&feed, &p, classes_of(APPEARANCE_RATIO));
 		model_jacobian(model, 80, up, J);
-		model_product(model, 80, down);
+		model_compute_product(model, 80, down);
 		assert_memory_equal(up, down, feed.n * sizeof *up);
 		q.f_mat = p.f_mat * 1.0001;
 		product_of(&feed, &q, classes_of(APPEARANCE_RATIO), 80, up);
@@ -299,8 +299,8 @@ sieves_do_not_change_each_other(void **state)
 			sieve[i] = draw_log(
 			    &draw, feed.size[feed.n - 1], 2 * feed.size[0]);
 		struct model *model = model_new(&feed, sieve, 5, settings);
-		model_use_params(model, &p);
-		model_product(model, 77, together);
+		model_set_params(model, &p);
+		model_compute_product(model, 77, together);
 		for (size_t i = 0; i < 5; i++)
 			expect_near("passing",
 			    one_passing(&feed, &p, settings, 77, sieve[i]),
@@ -333,8 +333,8 @@ where_nothing_breaks_the_product_is_the_feed(void **state)
 			settings.k = 0;
 		double passing[SIEVES];
 		struct model *model = model_of(&feed, &p, settings);
-		model_product(model, k % 5 == 4 ? 0 : 74, passing);
-		assert_true(model_breaks_feed(model, 74) == (k % 5 != 0));
+		model_compute_product(model, k % 5 == 4 ? 0 : 74, passing);
+		assert_true(model_is_feed_broken(model, 74) == (k % 5 != 0));
 		for (size_t i = 0; i < feed.n; i++)
 			expect_near(
 			    "passing", passing[i], feed.passing[i], 1e-15);

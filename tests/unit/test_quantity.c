@@ -114,8 +114,8 @@ an_ideal_screen_cuts_the_curve(void **state)
 	struct psd psd = sand(), part = sand();
 	struct fraction f = {0.5e-3, 4e-3, PARTITION_IDEAL};
 	double kept[8];
-	fraction_kept_of_classes(&f, psd.size, psd.n, kept);
-	expect_near("share", screening_part_of_product(&psd, kept, &part),
+	fraction_share_of_each_class(&f, psd.size, psd.n, kept);
+	expect_near("share", screening_compute_kept_part(&psd, kept, &part),
 	    0.8 - 0.2, 1e-12);
 	expect_near("4", part.passing[1], 1, 1e-12);
 	expect_near("2", part.passing[2], (0.6 - 0.2) / 0.6, 1e-12);
@@ -146,11 +146,11 @@ a_real_screen_keeps_the_mass(void **state)
 		/* 0/0.5 and what stays on 4 pass the other screen too. */
 		struct fraction f = {AT[i], i < 2 ? AT[i + 1] : 0, p};
 		double kept[8], other[8];
-		fraction_kept_of_classes(&f, psd.size, psd.n, kept);
+		fraction_share_of_each_class(&f, psd.size, psd.n, kept);
 		partition_oversize_of_classes(&p, 4e-3, psd.size, psd.n, other);
 		for (size_t k = 0; k < 8 && i == 0; k++)
 			kept[k] *= 1 - other[k];
-		sum += screening_part_of_product(&psd, kept, &part);
+		sum += screening_compute_kept_part(&psd, kept, &part);
 	}
 	expect_near("sum", sum, 1, 1e-12);
 	psd_free(&psd);
@@ -211,7 +211,7 @@ a_forecast_is_what_is_predicted(void **state)
 	const struct fraction whole = {0};
 	struct known k = known();
 	const struct psd *feed = &k.site->run[0].feed;
-	struct psd sizes = predict_table_sizes(k.site, feed);
+	struct psd sizes = predict_list_table_sieves(k.site, feed);
 	struct ensemble *e =
 	    ensemble_new(k.posterior, feed, sizes.size, sizes.n);
 	size_t n;
@@ -219,11 +219,11 @@ a_forecast_is_what_is_predicted(void **state)
 	    predict_table_quantities(k.site, feed, &whole, &n);
 	struct forecast *table = forecast_new(feed, sizes.size, sizes.n, all, n,
 	    &k.fit.params, k.fit.settings, 0.8);
-	forecast_move(table, e, ENSEMBLE_ANSWER, 72);
-	struct prediction p = predict_table(k.site, 0, &whole, table);
+	forecast_move_to_speed(table, e, ENSEMBLE_ANSWER, 72);
+	struct prediction p = predict_at_table_sieves(k.site, 0, &whole, table);
 	struct forecast *r = forecast_new(feed, sizes.size, sizes.n, ASK, ASKED,
 	    &k.fit.params, k.fit.settings, 0.8);
-	forecast_move(r, e, ENSEMBLE_ANSWER, 72);
+	forecast_move_to_speed(r, e, ENSEMBLE_ANSWER, 72);
 	double ends[2];
 	struct figure p80 = forecast_value_with_band(r, 1);
 	expect_near("P80", p80.value, p.p80, 1e-12);
@@ -239,8 +239,10 @@ a_forecast_is_what_is_predicted(void **state)
 		forecast_value_with_band(r, 2).value,
 	    1e-12);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
-		expect_near("draw", forecast_draws(r, 3)[d],
-		    forecast_draws(r, 0)[d] / forecast_draws(r, 2)[d], 1e-12);
+		expect_near("draw", forecast_draws_of_quantity(r, 3)[d],
+		    forecast_draws_of_quantity(r, 0)[d] /
+			forecast_draws_of_quantity(r, 2)[d],
+		    1e-12);
 	forecast_close(r);
 	forecast_close(table);
 	free(all);
@@ -268,7 +270,7 @@ an_end_beyond_the_sieves_is_not_known(void **state)
 	    feed, SIZE, SIEVES, OF, 2, &k.fit.params, k.fit.settings, 0.8);
 	double v = 60;
 	do
-		forecast_move(f, e, ENSEMBLE_ANSWER, v += 0.1);
+		forecast_move_to_speed(f, e, ENSEMBLE_ANSWER, v += 0.1);
 	while (!isnan(forecast_value_with_band(f, 0).low));
 	struct figure d10 = forecast_value_with_band(f, 0);
 	struct figure cu = forecast_value_with_band(f, 1);
@@ -298,7 +300,8 @@ selection_sums_to_what_breaks(void **state)
 			    model_settings_default();
 			settings.method = (enum method)method;
 			double *S = xcalloc_doubles(feed->n), sum = 0;
-			predict_selection_of_classes(feed, &p, settings, 77, S);
+			predict_broken_share_of_classes(
+			    feed, &p, settings, 77, S);
 			for (size_t i = 0; i < feed->n; i++) {
 				double finer =
 				    i + 1 < feed->n ? feed->passing[i + 1] : 0;

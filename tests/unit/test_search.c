@@ -68,7 +68,7 @@ generation(struct ga *ga, size_t n, double (*f)(const double *))
 			x[g] = gene[g][i];
 		misfit[i] = f(x);
 	}
-	ga_take_misfits(ga, misfit);
+	ga_set_misfits(ga, misfit);
 	free(misfit);
 }
 
@@ -168,11 +168,11 @@ parts_and_instructions_breed_the_same_bits(void **state)
 			generation(a, N, rosenbrock);
 			generation(b, N, rosenbrock);
 			for (size_t i = N / PART + 1; i-- > 0;)
-				ga_next_candidates_part(b, i * PART,
+				ga_next_candidates_subset(b, i * PART,
 				    (i + 1) * PART < N ? (i + 1) * PART : N);
 			const double *const *x = ga_next_candidates(a);
 			const double *const *y =
-			    ga_next_candidates_part(b, 0, 0);
+			    ga_next_candidates_subset(b, 0, 0);
 			for (size_t g = 0; g < GENES; g++)
 				assert_memory_equal(
 				    x[g], y[g], N * sizeof(double));
@@ -346,7 +346,7 @@ leaders_and_spread_are_those_of_the_generation(void **state)
 	struct ga *ga = ga_of(N, 7, LOWER, UPPER);
 	for (int k = 0; k < 5; k++)
 		generation(ga, N, rosenbrock);
-	const uint32_t *index = ga_ranked_candidates(ga);
+	const uint32_t *index = ga_get_candidate_ranking(ga);
 	double before = -1, at[N];
 	for (size_t i = 0; i < N; i++) {
 		double x[GENES];

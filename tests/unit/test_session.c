@@ -309,7 +309,7 @@ a_session_survives_errors(void **state)
 	assert_true(desk->session->set.model.k == 2);
 	assert_true(desk->session->set.bounds.lower[PARAM_ALPHA] == 0.5);
 	assert_int_equal(desk->session->n_entry, 1);
-	assert_false(session_current_entry(desk->session)->has_params);
+	assert_false(session_current_site_entry(desk->session)->has_params);
 	desk_expect(desk, "set k 1; bounds default; "
 			  "params set f_mat=2.18 e0_min=16.74 alpha=0.96; "
 			  "predict 74 detail=on; validate");
@@ -330,7 +330,7 @@ a_calibration_is_a_job_in_the_midst_of_a_line(void **state)
 	assert_string_equal(line + next, " seed 9");
 	while (session_is_calibrating(s))
 		session_step_job(s);
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	assert_true(entry->has_fit && entry->has_params);
 	assert_int_equal(entry->fit.seed, 5);
 	assert_memory_equal(
@@ -339,8 +339,8 @@ a_calibration_is_a_job_in_the_midst_of_a_line(void **state)
 	    session_run_line(s, line, next, "x", 1, &next, &desk->error));
 	assert_true(s->set.seed == 9 && next == 0);
 	desk_expect(desk, "predict 74; params set f_mat=1");
-	assert_false(session_current_entry(s)->has_fit);
-	assert_true(session_current_entry(s)->params.f_mat == 1);
+	assert_false(session_current_site_entry(s)->has_fit);
+	assert_true(session_current_site_entry(s)->params.f_mat == 1);
 }
 
 static void
@@ -360,9 +360,10 @@ a_stopped_job_is_kept_or_dropped(void **state)
 		else
 			session_abort_job(s);
 		assert_false(session_is_calibrating(s));
-		assert_true(session_current_entry(s)->has_fit == (keep == 1));
+		assert_true(
+		    session_current_site_entry(s)->has_fit == (keep == 1));
 	}
-	const struct fit *fit = &session_current_entry(s)->fit;
+	const struct fit *fit = &session_current_site_entry(s)->fit;
 	assert_int_equal(fit->stop, CALIBRATE_STOPPED);
 	assert_int_equal(fit->generations, 2);
 }
@@ -376,13 +377,13 @@ a_file_that_is_read_twice_is_noted_once(void **state)
 	const char *path = "Makefile";
 	uint64_t digest, found;
 	assert_true(files_compute_digest(path, &digest));
-	files_note_read(s, path);
-	files_note_written(s, path);
-	files_note_read(s, path);
-	assert_int_equal(files_count_uses(s), 3);
-	assert_null(files_path_if_read(s, 0, &found));
-	assert_null(files_path_if_read(s, 1, &found));
-	assert_string_equal(files_path_if_read(s, 2, &found), path);
+	files_record_read(s, path);
+	files_record_written(s, path);
+	files_record_read(s, path);
+	assert_int_equal(files_count_all_uses(s), 3);
+	assert_null(files_path_of_nth_read(s, 0, &found));
+	assert_null(files_path_of_nth_read(s, 1, &found));
+	assert_string_equal(files_path_of_nth_read(s, 2, &found), path);
 	assert_true(found == digest);
 }
 
@@ -418,10 +419,12 @@ parameters_without_set_are_not_passed_over(void **state)
 	desk_expect(desk, "params set f_mat=1 e0_min=10 alpha=1");
 	bool ok = desk_say(desk, "params f_mat=2");
 	assert_true(
-	    !ok || session_current_entry(desk->session)->params.f_mat == 2);
+	    !ok ||
+	    session_current_site_entry(desk->session)->params.f_mat == 2);
 	ok = desk_say(desk, "params list f_mat=2");
 	assert_true(
-	    !ok || session_current_entry(desk->session)->params.f_mat == 2);
+	    !ok ||
+	    session_current_site_entry(desk->session)->params.f_mat == 2);
 }
 
 static void

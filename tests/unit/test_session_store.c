@@ -41,7 +41,7 @@ a_fit_is_remembered_with_its_origin(void **state)
 	desk_expect(desk, "bounds alpha 0.5..0.9");
 	desk_expect(desk, CALIBRATE);
 	desk_expect(desk, "remember pit date=2026-11-21 note=\"wet feed\"");
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	struct material_list list = own(desk);
 	assert_int_equal(list.n, 1);
 	const struct material *m = &list.item[0];
@@ -67,14 +67,14 @@ a_store_that_fails_costs_nothing(void **state)
 	struct desk *desk = *state;
 	struct session *s = desk->session;
 	desk_expect(desk, CALIBRATE);
-	struct params before = session_current_entry(s)->params;
+	struct params before = session_current_site_entry(s)->params;
 	store_free(s->store);
 	s->store = store_new("/no/such/folder/s.db");
 	assert_false(desk_say(desk, "remember pit"));
 	assert_int_equal(desk->error.kind, ERROR_SYSTEM);
-	assert_true(session_current_entry(s)->has_fit);
+	assert_true(session_current_site_entry(s)->has_fit);
 	assert_memory_equal(
-	    &session_current_entry(s)->params, &before, sizeof before);
+	    &session_current_site_entry(s)->params, &before, sizeof before);
 	store_free(s->store);
 	s->store = store_new(":memory:");
 	desk_expect(desk, "remember pit");
@@ -87,7 +87,7 @@ static void
 what_is_recalled_is_no_fit(void **state)
 {
 	struct desk *desk = *state;
-	const struct entry *entry = session_current_entry(desk->session);
+	const struct entry *entry = session_current_site_entry(desk->session);
 	desk_expect(desk, CALIBRATE);
 	desk_expect(desk, "recall Kiruna");
 	assert_true(entry->has_params && !entry->has_fit);
@@ -301,7 +301,7 @@ runs_that_cannot_be_are_refused(void **state)
 			size_t at = x % strlen(good);
 			bad[at] = "0-9.,=\\ne@"[(x >> 8) % 10];
 		}
-		assert_true(store_put_materials(
+		assert_true(store_save_materials(
 		    store, list.item, 1, true, &desk->error));
 		if (!desk_say(desk, "recall pit")) {
 			assert_int_equal(desk->error.kind, ERROR_DATA);

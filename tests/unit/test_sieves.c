@@ -26,7 +26,7 @@ a_sieve_has_its_name_in_many_spellings(void **state)
 	    {"#4/0", 0}, {"#0", 0}, {"#3", NAN}, {"#9", NAN}, {"#1000", NAN},
 	    {"0.9 in", NAN}};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
-		double mm = sieve_name_mm(NAMES[i].name, SIEVE_NONE);
+		double mm = sieve_mm_of_name(NAMES[i].name, SIEVE_NONE);
 		if (mm != NAMES[i].mm && !(isnan(mm) && isnan(NAMES[i].mm)))
 			fail_msg("%s is %g mm", NAMES[i].name, mm);
 	}

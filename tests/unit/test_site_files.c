@@ -302,7 +302,7 @@ own_results_are_no_sheet(void **state)
 		    .columns =
 			i == 2 ? "2=sieve mm, 3=feed, 4=product@74" : NULL};
 		struct error_list errors = {0};
-		assert_null(site_read_request(&request, &errors, NULL));
+		assert_null(site_read_with_options(&request, &errors, NULL));
 		assert_string_equal(errors.item[0].text,
 		    "expected a site file, got tipspeed's own results "
 		    "(plot)");

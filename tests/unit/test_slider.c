@@ -46,10 +46,12 @@ speeds_become_tenths_exactly(void **state)
 {
 	(void)state;
 	for (int tenths = SLIDER_LEAST; tenths <= SLIDER_MOST; tenths++)
-		assert_int_equal(slider_position(ALL, tenths / 10.0), tenths);
-	assert_int_equal(slider_position(ALL, 12), SLIDER_LEAST);
-	assert_int_equal(slider_position(ALL, 1e6), SLIDER_MOST);
-	assert_int_equal(slider_clamp(ALL, SLIDER_MOST + 1), SLIDER_MOST);
+		assert_int_equal(
+		    slider_position_of_speed(ALL, tenths / 10.0), tenths);
+	assert_int_equal(slider_position_of_speed(ALL, 12), SLIDER_LEAST);
+	assert_int_equal(slider_position_of_speed(ALL, 1e6), SLIDER_MOST);
+	assert_int_equal(
+	    slider_clamped_position(ALL, SLIDER_MOST + 1), SLIDER_MOST);
 }
 
 /* On a track of 201 columns each value has a column of its own. */
@@ -111,7 +113,7 @@ the_range_holds_the_runs_of_the_site(void **state)
 	struct slider_range range = range_of(&site);
 	assert_int_equal(range.least, 620);
 	assert_int_equal(range.most, 880);
-	assert_int_equal(slider_position(range, 62.4), 624);
+	assert_int_equal(slider_position_of_speed(range, 62.4), 624);
 	assert_true(slider_has_speed(range, 62.4));
 	assert_false(slider_has_speed(range, 61.9));
 	static const struct slider_mark marks[] = {{624, true}, {880, true}};
@@ -197,8 +199,8 @@ a_sheet_in_rpm_has_a_track_in_rpm(void **state)
 	assert_int_equal(range.least, 1379);
 	assert_int_equal(range.most, 1804);
 	for (int rpm = range.least; rpm <= range.most; rpm++) {
-		double v = slider_speed(range, rpm);
-		assert_int_equal(slider_position(range, v), rpm);
+		double v = slider_speed_of_position(range, rpm);
+		assert_int_equal(slider_position_of_speed(range, v), rpm);
 		assert_true(slider_has_speed(range, v));
 		struct slider_range from = slider_range(v, 85, rotor);
 		struct slider_range to = slider_range(65, v, rotor);

@@ -52,13 +52,13 @@ counts_what_was_put_in(void **state)
 	spectrum_add_impact(s, 0.008, 2, 5000, true);
 	spectrum_add_impact(s, 0.008, 2, 5, false);
 	spectrum_add_impact(s, 0.008, 2, 40, true);
-	struct spectrum_size *all = spectrum_merge_sizes(s);
+	struct spectrum_size *all = spectrum_sum_over_sizes(s);
 	expect_near(
 	    "impacts", spectrum_impacts_per_particle(s, all, 0), 1.5, 1e-12);
 	expect_near(
 	    "above", spectrum_impacts_per_particle(s, all, 10), 1, 1e-12);
-	expect_near("energy", spectrum_impacts_above(all, 10, false).energy,
-	    10080, 1e-9);
+	expect_near("energy",
+	    spectrum_impacts_above_energy(all, 10, false).energy, 10080, 1e-9);
 	/* Of the hardest alone: half a particle each at v^2/2. */
 	expect_near(
 	    "k", spectrum_equivalent_k(s, all, 5000, 1000, 0), 0.5, 1e-12);
@@ -78,14 +78,15 @@ a_single_impact_at_tip_speed_is_the_paper(void **state)
 	struct impacts paper = once(1, 1), twice = once(1, 2);
 	for (double t = log(1e-3); t < log(0.02); t += 0.1) {
 		double d[3] = {0}, e[3] = {0};
-		double S = selection_at_size(q, 1, 2738, t, d);
-		expect_near("S", selection_by_impacts(&paper, q, 1, 2738, t, e),
-		    S, 1e-14);
+		double S = selection_share_at_size(q, 1, 2738, t, d);
+		expect_near("S",
+		    selection_share_by_impacts(&paper, q, 1, 2738, t, e), S,
+		    1e-14);
 		for (size_t i = 0; i < 3; i++)
 			expect_near("dS", e[i], d[i], 1e-9 * fabs(d[i]));
 		expect_near("S of two",
-		    selection_by_impacts(&twice, q, 1, 2738, t, e),
-		    selection_at_size(q, 2, 2738, t, d), 1e-13);
+		    selection_share_by_impacts(&twice, q, 1, 2738, t, e),
+		    selection_share_at_size(q, 2, 2738, t, d), 1e-13);
 	}
 }
 
@@ -105,17 +106,18 @@ twelve_groups_stand_for_all_impacts(void **state)
 	(void)state;
 	const double q[3] = {0.44, 11.8, 1}, cut = 10;
 	struct spectrum *s = made_spectrum(3, 2000, 5), *above = spectrum_new();
-	struct impacts impacts = spectrum_reduce_to_impacts(s, cut);
+	struct impacts impacts = spectrum_group_impacts_by_energy(s, cut);
 	double energy = 0, worst = 0, E = 74 * 74 / 2.0;
 	struct spectrum_bin all =
-	    spectrum_impacts_above(s->size[0], cut, false);
+	    spectrum_impacts_above_energy(s->size[0], cut, false);
 	for (size_t j = 0; j < impacts.n; j++)
 		energy += impacts.share[j] * impacts.ratio[j];
 	assert_int_equal(impacts.n, IMPACTS_MOST);
 	expect_near("mean energy", energy * E, all.energy / all.mass, 1e-6 * E);
 	for (double t = log(2e-3); t < log(0.02); t += 0.05) {
 		double want = every_impact(s, q, E, t);
-		double S = selection_by_impacts(&impacts, q, 1, E, t, NULL);
+		double S =
+		    selection_share_by_impacts(&impacts, q, 1, E, t, NULL);
 		if (isfinite(want))
 			worst = fmax(worst, fabs(S - want));
 	}
@@ -142,7 +144,7 @@ summed(const struct psd *feed, const struct params *p,
 		double t = (a + z) / 2;
 		double dF =
 		    psd_passing(feed, exp(z)) - psd_passing(feed, exp(a));
-		sum += dF * selection_at_log_size(&b, t, NULL) *
+		sum += dF * selection_share_at_log_size(&b, t, NULL) *
 		       b.model->finer(&b, low - t, NULL);
 	}
 	return sum;
@@ -154,7 +156,7 @@ the_product_is_that_of_a_fine_sum(void **state)
 	(void)state;
 	struct spectrum *spectrum = made_spectrum(5, 500, 4);
 	struct model_settings settings =
-	    with(spectrum_reduce_to_impacts(spectrum, 10));
+	    with(spectrum_group_impacts_by_energy(spectrum, 10));
 	for (size_t row = 0; row < 19; row += 3) {
 		struct params p = made_params(&TABLE_3[row]);
 		struct site *site = made_site(&TABLE_3[row], 0, 1);
@@ -162,8 +164,8 @@ the_product_is_that_of_a_fine_sum(void **state)
 		double out[64];
 		struct model *model =
 		    model_new(feed, feed->size, feed->n, settings);
-		model_use_params(model, &p);
-		model_product(model, 74, out);
+		model_set_params(model, &p);
+		model_compute_product(model, 74, out);
 		for (size_t i = 0; i < feed->n; i += 2)
 			expect_near(TABLE_3[row].site, out[i],
 			    summed(feed, &p, &settings, 74, feed->size[i]),
@@ -180,23 +182,23 @@ its_derivatives_are_those_of_differences(void **state)
 	(void)state;
 	struct spectrum *spectrum = made_spectrum(6, 500, 4);
 	struct model_settings settings =
-	    with(spectrum_reduce_to_impacts(spectrum, 10));
+	    with(spectrum_group_impacts_by_energy(spectrum, 10));
 	struct params p = made_params(&TABLE_3[TIERP]);
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
 	const struct psd *feed = &site->run[1].feed;
 	struct model *model = model_new(feed, feed->size, feed->n, settings);
 	double at[64], plus[64], minus[64], d[64 * PARAMS_MOST];
-	model_use_params(model, &p);
+	model_set_params(model, &p);
 	model_jacobian(model, 74, at, d);
 	for (size_t j = 4; j < 7; j++) {
 		double h = 1e-5 * p.at[j];
 		struct params moved = p;
 		moved.at[j] = p.at[j] + h;
-		model_use_params(model, &moved);
-		model_product(model, 74, plus);
+		model_set_params(model, &moved);
+		model_compute_product(model, 74, plus);
 		moved.at[j] = p.at[j] - h;
-		model_use_params(model, &moved);
-		model_product(model, 74, minus);
+		model_set_params(model, &moved);
+		model_compute_product(model, 74, minus);
 		for (size_t i = 0; i < feed->n; i++) {
 			double want = (plus[i] - minus[i]) / (2 * h);
 			expect_near("derivative", d[i * 7 + j], want,
@@ -218,7 +220,7 @@ the_search_sees_the_same_product(void **state)
 	const bool train[3] = {true, true, true};
 	for (int classes = 0; classes < 2; classes++) {
 		struct model_settings settings =
-		    with(spectrum_reduce_to_impacts(spectrum, 10));
+		    with(spectrum_group_impacts_by_energy(spectrum, 10));
 		settings.method = classes ? METHOD_CLASSES : METHOD_CONTINUOUS;
 		struct params p = made_params(&TABLE_3[TIERP]);
 		struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
@@ -226,8 +228,9 @@ the_search_sees_the_same_product(void **state)
 			struct run *run = &site->run[r];
 			struct model *model = model_new(&run->feed,
 			    run->product.size, run->product.n, settings);
-			model_use_params(model, &p);
-			model_product(model, run->speed, run->product.passing);
+			model_set_params(model, &p);
+			model_compute_product(
+			    model, run->speed, run->product.passing);
 			model_free(model);
 		}
 		struct misfit *m =

@@ -136,7 +136,7 @@ width_of(const struct asked *a, size_t i, double limit)
 {
 	double over[POSTERIOR_DRAWS];
 	size_t cut = (size_t)floor(0.1 * POSTERIOR_DRAWS + 0.5);
-	forecast_excess_of_draws(a->w.forecast, i, limit, over);
+	forecast_excess_in_each_draw(a->w.forecast, i, limit, over);
 	gsl_sort(over, 1, POSTERIOR_DRAWS);
 	return fmax(over[POSTERIOR_DRAWS - 1 - cut] - over[cut], 1e-3);
 }
@@ -151,10 +151,10 @@ check_certain(const struct asked *a, const struct speed_search *s)
 		for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
 			bool all = true;
 			for (size_t i = 0; i < CONDITIONS; i++)
-				all =
-				    all &&
-				    keeps(&a->at[i],
-					forecast_draws(a->w.forecast, i)[d], 0);
+				all = all && keeps(&a->at[i],
+						 forecast_draws_of_quantity(
+						     a->w.forecast, i)[d],
+						 0);
 			held += all;
 		}
 		expect_near("certainty", s->certain[k],
@@ -318,7 +318,7 @@ a_speed_is_found_again_from_its_value(void **state)
 		assert_true(s->cut[0] <= s->range[0] + 0.2);
 		assert_true(s->cut[1] >= s->range[1] - 0.2);
 		double largest =
-		    speed_search_speed_of_extreme(s, n % 2 == 0, false);
+		    speed_search_speed_of_max_or_min(s, n % 2 == 0, false);
 		double sign = n % 2 == 0 ? 1 : -1, most = -INFINITY;
 		for (size_t k = 0; k < s->n; k++)
 			if (is_inside(s, s->speed[k]))

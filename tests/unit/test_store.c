@@ -19,7 +19,7 @@ expect_refusal(struct shelf *shelf, enum error_kind kind, const char *words)
 		fail_msg("%s: no %s", shelf->error.text, words);
 	struct material m = sparse("late");
 	assert_false(
-	    store_put_materials(shelf->store, &m, 1, true, &shelf->error));
+	    store_save_materials(shelf->store, &m, 1, true, &shelf->error));
 	assert_int_equal(shelf->error.kind, kind);
 	material_free(&m);
 }
@@ -68,13 +68,13 @@ a_name_is_taken_once(void **state)
 	put(shelf, full("Gävle"));
 	struct material two[2] = {sparse("new"), sparse("GAVLE")};
 	assert_false(
-	    store_put_materials(shelf->store, two, 2, false, &shelf->error));
+	    store_save_materials(shelf->store, two, 2, false, &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_USAGE);
 	assert_non_null(strstr(shelf->error.text, "'GAVLE'"));
 	/* All or nothing. */
 	expect_names(shelf, "Gävle");
 	assert_true(
-	    store_put_materials(shelf->store, two, 2, true, &shelf->error));
+	    store_save_materials(shelf->store, two, 2, true, &shelf->error));
 	expect_names(shelf, "GAVLE new");
 	assert_true(
 	    store_remove_material(shelf->store, "gävle", &shelf->error));
@@ -130,7 +130,7 @@ make_schema_1(struct shelf *shelf)
 	    " VALUES ('old', '%016llx', 'old', 'Nowhere', 'hand', 0, 1, -1,"
 	    " 0.5, 2.18, 16.74, 0.96, 'continuous', 'ratio', 1);"
 	    "PRAGMA application_id = %d; PRAGMA user_version = 1",
-	    (long long)material_make_digest(&m), (int)SCHEMA_APPLICATION);
+	    (long long)material_compute_digest(&m), (int)SCHEMA_APPLICATION);
 	meddle(shelf, SCHEMA_STEPS[0]);
 	meddle(shelf, row);
 	sqlite3_free(row);
@@ -297,7 +297,7 @@ forge(struct shelf *shelf, const struct material *m, const char *set)
 {
 	char *sql = xasprintf("UPDATE material SET digest = '%016llx', %s "
 			      "WHERE fold = 'b'",
-	    (unsigned long long)material_make_digest(m), set);
+	    (unsigned long long)material_compute_digest(m), set);
 	put(shelf, full("b"));
 	meddle(shelf, sql);
 	free(sql);
@@ -398,7 +398,7 @@ what_cannot_be_read_back_is_not_put(void **state)
 	put(shelf, full("a"));
 	m.params.alpha = 500;
 	assert_false(
-	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
+	    store_save_materials(shelf->store, &m, 1, false, &shelf->error));
 	assert_non_null(strstr(shelf->error.text, "0 to 100 for alpha"));
 	expect_names(shelf, "a");
 	material_free(&m);
@@ -414,7 +414,7 @@ a_locked_store_is_waited_for_and_then_told(void **state)
 	sqlite3_exec(db, "BEGIN IMMEDIATE", NULL, NULL, NULL);
 	struct material m = full("b");
 	assert_false(
-	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
+	    store_save_materials(shelf->store, &m, 1, false, &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_SYSTEM);
 	assert_non_null(strstr(shelf->error.text, "another program"));
 	/* To read, nobody waits. */
@@ -422,7 +422,7 @@ a_locked_store_is_waited_for_and_then_told(void **state)
 	sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
 	sqlite3_close(db);
 	assert_true(
-	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
+	    store_save_materials(shelf->store, &m, 1, false, &shelf->error));
 	material_free(&m);
 	expect_names(shelf, "a b");
 }

@@ -115,7 +115,7 @@ table_3_is_in_the_program(void **state)
 {
 	(void)state;
 	struct material_list all = {0};
-	material_add_table3(&all);
+	material_add_table3_to_list(&all);
 	assert_int_equal(all.n, 19);
 	for (size_t i = 0; i < all.n; i++) {
 		struct params p = made_params(&TABLE_3[i]);

@@ -147,7 +147,7 @@ a_number_apart_from_another(void **state)
 	    {1e-6, 0, "1e-06"}, {1.0 / 3, 1.0 / 3, "0.3333333333333333"}};
 	char buf[32];
 	for (size_t i = 0; i < ARRAY_LEN(pairs); i++)
-		assert_string_equal(text_number_to_tell_apart(
+		assert_string_equal(text_number_distinct_from(
 					pairs[i].value, pairs[i].other, buf),
 		    pairs[i].text);
 }
@@ -176,14 +176,14 @@ check_names(void)
 		char *slug = text_slug(NAMES[i].name);
 		assert_string_equal(folded, NAMES[i].folded);
 		assert_string_equal(slug, NAMES[i].slug);
-		assert_true(text_same_folded(NAMES[i].name, folded));
+		assert_true(text_is_same_folded(NAMES[i].name, folded));
 		free(folded);
 		free(slug);
 	}
-	assert_false(text_same_folded("Umeå", "Ume"));
-	assert_true(text_contains_word("Kvarnby, Malmö", "MALMO"));
-	assert_false(text_contains_word("Malmö", "Malmoe"));
-	assert_false(text_same_folded("Bro", "Bru"));
+	assert_false(text_is_same_folded("Umeå", "Ume"));
+	assert_true(text_contains_folded("Kvarnby, Malmö", "MALMO"));
+	assert_false(text_contains_folded("Malmö", "Malmoe"));
+	assert_false(text_is_same_folded("Bro", "Bru"));
 }
 
 static void
@@ -221,7 +221,7 @@ quotes_come_and_go(void **state)
 	    {"\"", "\"\"\"\""}};
 	(void)state;
 	for (size_t i = 0; i < ARRAY_LEN(PAIRS); i++) {
-		char *quoted = text_in_quotes(PAIRS[i][0]);
+		char *quoted = text_add_quotes(PAIRS[i][0]);
 		char *back = text_without_quotes(quoted, strlen(quoted));
 		assert_string_equal(quoted, PAIRS[i][1]);
 		assert_string_equal(back, PAIRS[i][0]);
@@ -366,10 +366,11 @@ a_full_error_list_counts_the_rest(void **state)
 	struct error_list list = {0};
 	size_t room = ARRAY_LEN(list.item);
 	for (size_t i = 0; i < room + 7; i++) {
-		struct error *e = error_add(&list);
+		struct error *e = error_list_add_item(&list);
 		assert_non_null(e);
-		error_at(e, ERROR_DATA, "x.csv", (int)i + 1, 2, "fault %zu", i);
-		error_hint(e, "mend %zu", i);
+		error_set_at(
+		    e, ERROR_DATA, "x.csv", (int)i + 1, 2, "fault %zu", i);
+		error_set_hint(e, "mend %zu", i);
 	}
 	assert_int_equal(list.n, room);
 	assert_int_equal(list.more, 7);
@@ -394,8 +395,9 @@ errors_print_their_place_and_hint(void **state)
 {
 	(void)state;
 	struct error e = {0};
-	assert_false(error_at(&e, ERROR_DATA, "a.csv", 14, 9, "wanted %d", 1));
-	assert_false(error_hint(&e, "do %s", "this"));
+	assert_false(
+	    error_set_at(&e, ERROR_DATA, "a.csv", 14, 9, "wanted %d", 1));
+	assert_false(error_set_hint(&e, "do %s", "this"));
 	char *text = printed(&e);
 	assert_string_equal(text, "a.csv:14:9: wanted 1\n  hint: do this\n");
 	free(text);
@@ -409,7 +411,7 @@ errors_print_their_place_and_hint(void **state)
 	assert_string_equal(e.text, "no a\nb");
 	assert_string_equal(e.hint, "load c");
 	assert_false(error_set(NULL, ERROR_USAGE, "kept nowhere"));
-	assert_false(error_hint(NULL, "kept nowhere"));
+	assert_false(error_set_hint(NULL, "kept nowhere"));
 }
 
 /* Whole words, of a word its beginning, of a number nothing. */

@@ -75,8 +75,9 @@ find_text(struct stage *stage, const char *text, int *row, int *column)
 			uint32_t at = canvas_cell_at(frame, c, r)->code;
 			/* One letter a cell, so that offsets are columns. */
 			xappend(&line, "%s",
-			    at > 0 && at < 128 ? canvas_encode_utf8(at, code)
-					       : "~");
+			    at > 0 && at < 128
+				? canvas_encode_code_point(at, code)
+				: "~");
 		}
 		for (char *p = strstr(line, text); p != NULL;
 		     p = strstr(p + 1, text)) {

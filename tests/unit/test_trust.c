@@ -217,18 +217,18 @@ nothing_breaks_where_no_product_is_finer(void **state)
 {
 	(void)state;
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
-	assert_false(trust_is_no_product_finer(site));
+	assert_false(trust_are_products_like_feed(site));
 	for (size_t r = 0; r < site->n_run; r++) {
 		psd_free(&site->run[r].product);
 		site->run[r].product = psd_copy(&site->run[r].feed);
 	}
-	assert_true(trust_is_no_product_finer(site));
+	assert_true(trust_are_products_like_feed(site));
 	struct psd *one = &site->run[1].product;
 	one->passing[3] += 0.009;
 	one->passing[4] -= 0.05;
-	assert_true(trust_is_no_product_finer(site));
+	assert_true(trust_are_products_like_feed(site));
 	one->passing[3] += 0.002;
-	assert_false(trust_is_no_product_finer(site));
+	assert_false(trust_are_products_like_feed(site));
 	site_free(site);
 	struct evidence e = SOUND;
 	e.alike = 2.5;
@@ -331,12 +331,12 @@ a_sieve_that_a_run_lacks_proves_nothing(void **state)
 	double wrong[] = {1, 0.45, 0.04};
 	const struct psd fast = {.n = 5, .size = sieves, .passing = fine};
 	struct psd slow = {.n = 3, .size = few, .passing = same};
-	struct passing_order o = trust_compare_slow_with_fast(&slow, &fast);
+	struct passing_order o = trust_compare_slow_fast_products(&slow, &fast);
 	assert_true(o.most < 1e-9);
-	assert_false(trust_is_order_wrong(&o));
+	assert_false(trust_is_product_order_wrong(&o));
 	slow.passing = wrong;
-	o = trust_compare_slow_with_fast(&slow, &fast);
-	assert_true(trust_is_order_wrong(&o));
+	o = trust_compare_slow_fast_products(&slow, &fast);
+	assert_true(trust_is_product_order_wrong(&o));
 	assert_true(fabs(o.most - 0.11) < 1e-9 && o.at == 2e-3);
 }
 

@@ -41,10 +41,10 @@ every_change_is_undone_and_done_again(void **state)
 	    "synth data/table3.csv site=Bro", "load data/sites/tierp.csv",
 	    "drop gavle/4", "drop tierp", "reset"};
 	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {
-		struct snapshot *before = snapshot_take(s);
+		struct snapshot *before = snapshot_take_session(s);
 		size_t depth = undo_count_steps(s);
 		desk_expect(desk, lines[i]);
-		struct snapshot *after = snapshot_take(s);
+		struct snapshot *after = snapshot_take_session(s);
 		if (undo_count_steps(s) != depth + 1)
 			fail_msg("%s made no step", lines[i]);
 		desk_expect(desk, "undo");
@@ -181,7 +181,7 @@ static void
 a_load_that_fails_half_way_is_one_step(void **state)
 {
 	struct desk *desk = *state;
-	struct snapshot *before = snapshot_take(desk->session);
+	struct snapshot *before = snapshot_take_session(desk->session);
 	assert_false(desk_say(desk, "load data/sites/ubbarp.csv none.csv"));
 	assert_int_equal(desk->session->n_entry, 3);
 	desk_expect(desk, "undo");
@@ -193,13 +193,13 @@ undo_gives_back_the_former_fit(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, "calibrate seed=1 population=64 generations=3");
-	struct fit first = session_current_entry(desk->session)->fit;
+	struct fit first = session_current_site_entry(desk->session)->fit;
 	desk_expect(desk, "calibrate seed=2 population=64 generations=3");
-	assert_false(
-	    fits_are_equal(&session_current_entry(desk->session)->fit, &first));
+	assert_false(fits_are_equal(
+	    &session_current_site_entry(desk->session)->fit, &first));
 	desk_expect(desk, "undo");
-	assert_true(
-	    fits_are_equal(&session_current_entry(desk->session)->fit, &first));
+	assert_true(fits_are_equal(
+	    &session_current_site_entry(desk->session)->fit, &first));
 	assert_non_null(strstr(desk->notes, "undone: calibrate seed=2"));
 }
 
@@ -213,13 +213,13 @@ a_continued_fit_is_one_step(void **state)
 	size_t depth = undo_count_steps(s);
 	desk_expect(desk, "calibrate population=64 generations=30 pause=3; "
 			  "continue pause=5; predict 74; continue");
-	size_t done = session_current_entry(s)->fit.generations;
+	size_t done = session_current_site_entry(s)->fit.generations;
 	assert_int_equal(undo_count_steps(s), depth + 1);
 	desk_expect(desk, "undo");
 	assert_non_null(strstr(desk->notes, "undone: calibrate"));
-	assert_false(session_current_entry(s)->has_fit);
+	assert_false(session_current_site_entry(s)->has_fit);
 	desk_expect(desk, "redo");
-	assert_int_equal(session_current_entry(s)->fit.generations, done);
+	assert_int_equal(session_current_site_entry(s)->fit.generations, done);
 	desk_expect(desk, "undo; calibrate population=64 pause=3; "
 			  "bounds alpha 0.8..1; continue pause=5");
 	assert_int_equal(undo_count_steps(s), depth + 3);
@@ -234,7 +234,7 @@ undo_lets_go_of_a_stopped_calibration(void **state)
 			  "seed 3; use bro; undo; undo; continue; undo; seed");
 	assert_false(desk_say(desk, "continue"));
 	assert_int_equal(
-	    session_current_entry(desk->session)->fit.generations, 3);
+	    session_current_site_entry(desk->session)->fit.generations, 3);
 	static const char *const gone[] = {
 	    "undo; undo", "drop tierp", "load data/sites/tierp.csv", "reset"};
 	for (size_t i = 0; i < ARRAY_LEN(gone); i++) {
@@ -255,15 +255,15 @@ undo_discards_a_stopped_calibration_that_was_held_back(void **state)
 	struct session *s = desk->session;
 	desk_expect(desk, "calibrate population=64; "
 			  "calibrate population=64 seed=2 pause=1");
-	struct fit fit = session_current_entry(s)->fit;
+	struct fit fit = session_current_site_entry(s)->fit;
 	size_t steps = undo_count_steps(s);
 	desk_expect(desk, "undo");
 	assert_non_null(strstr(desk->notes, "it cannot be continued"));
-	assert_true(fits_are_equal(&session_current_entry(s)->fit, &fit));
+	assert_true(fits_are_equal(&session_current_site_entry(s)->fit, &fit));
 	assert_int_equal(undo_count_steps(s), steps);
 	desk_expect(desk, "calibrate population=64 seed=2 pause=1; seed 3; "
 			  "undo; undo; undo");
-	assert_false(session_current_entry(s)->has_fit);
+	assert_false(session_current_site_entry(s)->has_fit);
 }
 
 /* As a driver may do between two steps. */
@@ -284,7 +284,7 @@ undo_ends_a_running_calibration(void **state)
 	    session_run_line(s, "undo", 0, "x", 1, &next, &desk->error));
 	assert_false(session_is_calibrating(s));
 	assert_int_equal(s->set.seed, 1);
-	assert_false(session_current_entry(s)->has_fit);
+	assert_false(session_current_site_entry(s)->has_fit);
 	assert_true(session_end_finished_commands(s, true, &desk->error));
 	assert_int_equal(undo_count_steps(s), depth - 1);
 	/* What was asked since "seed 3" went with it. */
@@ -310,7 +310,8 @@ steps_within_lines_that_make_none_push_out_the_oldest(void **state)
 	size_t deepest = 0;
 	for (int i = 0; i < MANY; i++) {
 		size_t depth = undo_count_steps(s);
-		undo_push_step(s, snapshot_take(s), depth, depth, "pin");
+		undo_push_step(
+		    s, snapshot_take_session(s), depth, depth, "pin");
 		deepest = depth > deepest ? depth : deepest;
 	}
 	assert_int_equal(undo_count_steps(s), deepest);

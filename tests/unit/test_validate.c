@@ -165,8 +165,8 @@ a_prediction_is_on_all_sieves_the_feed_covers(void **state)
 	assert_int_equal(a.product.n, site->run[1].feed.n + 1);
 	assert_true(keeps_rules(&a.product));
 	assert_true(keeps_rules(&a.feed));
-	double exact[20],
-	    x = selection_break_size(&p, specific_energy_at_speed(77));
+	double exact[20], x = selection_break_size_at_energy(
+			      &p, specific_energy_at_speed(77));
 	naive_continuous(&site->run[1].feed, a.product.size, a.product.n, &p,
 	    77, 20000, exact);
 	for (size_t i = 0; i < a.product.n; i++) {
@@ -235,18 +235,18 @@ interpolation_is_straight_in_v_squared(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++)
 		for (double x = 70e-6; x < 0.03; x *= 1.7)
 			expect_near("passing",
-			    validate_interpolated_passing(
+			    validate_interpolate_passing(
 				site, rows[i].train, rows[i].v, x),
 			    naive_between(&site->run[rows[i].a],
 				&site->run[rows[i].b], rows[i].v, x),
 			    1e-13);
 	const bool one[3] = {true, false, false};
-	assert_true(isnan(validate_interpolated_passing(site, one, 74, 4e-3)));
+	assert_true(isnan(validate_interpolate_passing(site, one, 74, 4e-3)));
 	assert_true(isnan(
-	    validate_interpolated_passing(site, rows[0].train, 74, 50e-6)));
+	    validate_interpolate_passing(site, rows[0].train, 74, 50e-6)));
 	site->run[2].product.n = 0;
-	assert_true(isnan(
-	    validate_interpolated_passing(site, rows[0].train, 74, 4e-3)));
+	assert_true(
+	    isnan(validate_interpolate_passing(site, rows[0].train, 74, 4e-3)));
 	site_free(site);
 }
 
@@ -277,10 +277,10 @@ repeats_train_together_and_are_averaged(void **state)
 			      2;
 		double t = (v * v - a * a) / (b * b - a * a);
 		expect_near("passing",
-		    validate_interpolated_passing(site, train, v, x),
+		    validate_interpolate_passing(site, train, v, x),
 		    mean + t * (psd_passing(&run[2].product, x) - mean), 1e-13);
 		assert_true(
-		    isnan(validate_interpolated_passing(site, slow, v, x)));
+		    isnan(validate_interpolate_passing(site, slow, v, x)));
 	}
 	struct params p = made_params(&TABLE_3[TIERP]);
 	double *ways = validate_predict_by_all_ways(
@@ -318,7 +318,7 @@ null_models_say_which_speeds_they_take(void **state)
 		assert_true(v.line[0] == rows[i].line[0] &&
 			    v.line[1] == rows[i].line[1]);
 		assert_true(v.nearest == rows[i].nearest);
-		assert_true(validation_extrapolates(&v) == rows[i].beyond);
+		assert_true(validation_is_extrapolated(&v) == rows[i].beyond);
 		size_t at = site_run_at_speed(site, v.nearest);
 		for (size_t k = 0; k < v.n_sieve; k++)
 			out[k] = naive_passing(
@@ -345,15 +345,15 @@ the_smallest_rmse_wins(void **state)
 	struct validation v = {.holdout = true};
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 		v.rmse[way] = 0.01;
-	assert_int_equal(validate_best_way(v.rmse), VALIDATE_MODEL);
+	assert_int_equal(validate_way_of_least_rmse(v.rmse), VALIDATE_MODEL);
 	for (enum validate_way way = VALIDATE_WAYS; way-- > 0;) {
 		v.rmse[way] -= 0.001 * (double)(VALIDATE_WAYS - way);
-		assert_int_equal(validate_best_way(v.rmse), way);
+		assert_int_equal(validate_way_of_least_rmse(v.rmse), way);
 	}
 	v.rmse[VALIDATE_MODEL] = 0.02;
 	v.rmse[VALIDATE_CORRECTED] = v.rmse[VALIDATE_INTERPOLATION] = NAN;
-	assert_int_equal(validate_best_way(v.rmse), VALIDATE_NEAREST);
-	assert_false(validation_loses_to_interpolation(&v));
+	assert_int_equal(validate_way_of_least_rmse(v.rmse), VALIDATE_NEAREST);
+	assert_false(validation_is_interpolation_better(&v));
 }
 
 /* Of 1, 2, 4 mm predicted 1.1, 1.8, 4: errors of 10, -10 and 0 %. */
@@ -421,9 +421,9 @@ validation_is_the_plain_comparison(void **state)
 	assert_true(v.worst_sieve == run->product.size[worst]);
 	expect_near("worst", v.worst_difference,
 	    exact[worst] - run->product.passing[worst], 1e-5);
-	assert_true(validation_loses_to_interpolation(&v) == (between < sum));
+	assert_true(validation_is_interpolation_better(&v) == (between < sum));
 	v = validate_run(site, 0, train, &p, model_settings_default(), NULL);
-	assert_false(v.holdout || validation_loses_to_interpolation(&v));
+	assert_false(v.holdout || validation_is_interpolation_better(&v));
 	site_free(site);
 }
 

@@ -134,14 +134,15 @@ a_verdict_is_that_of_the_envelope(void **state)
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
 	struct slider_range range = tui_slider_range(t);
 	for (int at = range.least; at <= range.most; at++) {
-		tui_step_slider_to(t, at);
+		tui_set_slider_position(t, at);
 		view_update(t);
 		const struct grading *g = envelope_check_at_slider(t);
 		assert_non_null(g);
 		struct grading own;
 		struct error error = {0};
-		assert_true(envelope_open_chosen(t->session,
-		    tui_current_entry(t), tui_feed_run(t), &own, &error));
+		assert_true(envelope_open_chosen_forecast(t->session,
+		    tui_current_site_entry(t), tui_run_index_of_feed(t), &own,
+		    &error));
 		assert_in_range(g->limits.n, 1, 32);
 		forecast_set_speed(
 		    own.conditions.forecast, tui_slider_speed(t));

@@ -49,7 +49,7 @@ remove_speed_errors_of_draws(double *row)
 }
 
 static double
-width_of_band(const double *draw, double level, double ends[static 2])
+band_width_of_draws(const double *draw, double level, double ends[static 2])
 {
 	ensemble_interval_around_answer(draw, level, NAN, ends);
 	return ends[1] - ends[0];
@@ -58,30 +58,30 @@ width_of_band(const double *draw, double level, double ends[static 2])
 /* Finds the draws of the answer and their band.  Returns false if a draw lies
  * outside the sieves. */
 static bool
-find_band_of_quantity(const struct session *s, struct advice_request *w)
+compute_band_of_quantity(const struct session *s, struct advice_request *w)
 {
 	struct forecast *f = forecast_open(s, w->question, &w->q, 1);
 	bool known = true;
 	forecast_set_speed(f, w->question->speed);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
 		w->draw[d] = quantities_value_in_shown_unit(
-		    &w->q, forecast_draws(f, 0)[d]);
+		    &w->q, forecast_draws_of_quantity(f, 0)[d]);
 		known = known && isfinite(w->draw[d]);
 	}
 	forecast_close(f);
 	if (!known)
 		return false;
 	double level = w->question->level, ends[2], exact[POSTERIOR_DRAWS];
-	w->width = width_of_band(w->draw, level, w->ends);
+	w->width = band_width_of_draws(w->draw, level, w->ends);
 	memcpy(exact, w->draw, sizeof exact);
 	if (s->set.speed_sd > 0)
 		remove_speed_errors_of_draws(exact);
-	w->exact_width = width_of_band(exact, level, ends);
+	w->exact_width = band_width_of_draws(exact, level, ends);
 	return true;
 }
 
 static size_t
-add_candidate_speed(
+add_candidate_sample_speed(
     const struct site *site, struct sample_advice *c, size_t n, double v)
 {
 	for (size_t i = 0; i < n; i++)
@@ -97,7 +97,7 @@ add_candidate_speed(
  * asked about, and round speeds.  Sets *n to their number.  The caller frees
  * them. */
 static struct sample_advice *
-list_candidate_speeds(
+list_candidate_sample_speeds(
     const struct session *s, const struct site *site, double asked, size_t *n)
 {
 	size_t more, k = 0;
@@ -105,10 +105,11 @@ list_candidate_speeds(
 	struct sample_advice *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (misfit_count_covered_sieves(&site->run[r]) > 0)
-			k = add_candidate_speed(site, c, k, site->run[r].speed);
-	k = add_candidate_speed(site, c, k, asked);
+			k = add_candidate_sample_speed(
+			    site, c, k, site->run[r].speed);
+	k = add_candidate_sample_speed(site, c, k, asked);
 	for (size_t i = 0; i < more; i++)
-		k = add_candidate_speed(site, c, k, round[i]);
+		k = add_candidate_sample_speed(site, c, k, round[i]);
 	*n = k;
 	return c;
 }
@@ -124,7 +125,7 @@ compare_band_widths(const void *a, const void *b)
 /* Returns a forecast of the passings at those sieves of the site that the feed
  * covers.  Sets *n to the number of sieves. */
 static struct forecast *
-open_sample_forecast(
+open_forecast_of_all_sieves(
     const struct session *s, const struct question *q, size_t *n)
 {
 	FREED double *sieve = site_all_sieves(q->entry->site, n);
@@ -140,17 +141,18 @@ open_sample_forecast(
 /* Sorts the candidates by the width of the band that each is expected to
  * leave. */
 static void
-sort_by_expected_band_width(const struct session *s,
+sort_sample_speeds_by_band_width(const struct session *s,
     const struct advice_request *w, struct sample_advice *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
-	struct forecast *f = open_sample_forecast(s, w->question, &sieves);
+	struct forecast *f =
+	    open_forecast_of_all_sieves(s, w->question, &sieves);
 	FREED double *sample = xcalloc_doubles(sieves * N);
 	for (size_t i = 0; i < n; i++) {
-		forecast_set_speed_and_draws(f, c[i].speed, ENSEMBLE_SAMPLE);
+		forecast_set_speed_and_ensemble(f, c[i].speed, ENSEMBLE_SAMPLE);
 		for (size_t k = 0; k < sieves; k++) {
-			memcpy(sample + k * N, forecast_draws(f, k),
+			memcpy(sample + k * N, forecast_draws_of_quantity(f, k),
 			    N * sizeof *sample);
 			if (s->set.speed_sd > 0)
 				remove_speed_errors_of_draws(sample + k * N);
@@ -166,23 +168,23 @@ sort_by_expected_band_width(const struct session *s,
 /* Says how far the quantity varies with the feeds of the runs, if they differ:
  * the product is then as uncertain as the feed. */
 static void
-warn_of_range_over_feeds(
+warn_of_spread_over_feeds(
     struct answer *r, const struct session *s, const struct advice_request *w)
 {
 	double range[2];
-	if (!predict_range_over_feeds(
+	if (!predict_value_range_over_feeds(
 		s, w->question, &w->q, NAN, w->question->speed, range))
 		return;
 	double low = quantities_value_in_shown_unit(&w->q, range[0]),
 	       high = quantities_value_in_shown_unit(&w->q, range[1]);
 	if (!(high > low))
 		return;
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "with the feeds that were sampled %s ranges from %.3g to %.3g%s: "
 	    "sample the feed together with the product",
 	    w->name, low, high, quantities_unit_suffix(&w->q));
 	fields_put_values(
-	    answer_fields(r), "feeds_low %g feeds_high %g", low, high);
+	    answer_json_fields(r), "feeds_low %g feeds_high %g", low, high);
 }
 
 static void
@@ -216,7 +218,7 @@ note_best_sample_speed(struct answer *r, const struct advice_request *w,
 /* Says how far exact tip speeds would narrow the band, if further than the best
  * sample does. */
 static void
-note_exact_speeds(struct answer *r, const struct session *s,
+note_gain_of_exact_speeds(struct answer *r, const struct session *s,
     const struct advice_request *w, const struct sample_advice *best)
 {
 	if (w->exact_width < best->width)
@@ -231,14 +233,14 @@ note_exact_speeds(struct answer *r, const struct session *s,
 /* Returns the candidates, best first, and sets *n to their number.  Returns
  * NULL if there is no band to narrow.  The caller frees them. */
 static struct sample_advice *
-rank_candidate_speeds(
+rank_candidate_sample_speeds(
     const struct session *s, const struct advice_request *w, size_t *n)
 {
 	if (!(w->width > 0))
 		return NULL;
-	struct sample_advice *c = list_candidate_speeds(
+	struct sample_advice *c = list_candidate_sample_speeds(
 	    s, w->question->entry->site, w->question->speed, n);
-	sort_by_expected_band_width(s, w, c, *n);
+	sort_sample_speeds_by_band_width(s, w, c, *n);
 	return c;
 }
 
@@ -249,9 +251,10 @@ advise_find_best_sample(const struct session *s, const struct question *q,
 {
 	struct advice_request w = {.question = q, .q = *of};
 	size_t n;
-	FREED struct sample_advice *c = find_band_of_quantity(s, &w)
-					    ? rank_candidate_speeds(s, &w, &n)
-					    : NULL;
+	FREED struct sample_advice *c =
+	    compute_band_of_quantity(s, &w)
+		? rank_candidate_sample_speeds(s, &w, &n)
+		: NULL;
 	if (c == NULL)
 		return false;
 	*best = c[0];
@@ -262,22 +265,23 @@ advise_find_best_sample(const struct session *s, const struct question *q,
 
 /* Returns NULL if there is no band to narrow. */
 static struct answer *
-build_sampling_answer(const struct session *s, const struct advice_request *w)
+build_next_sample_answer(
+    const struct session *s, const struct advice_request *w)
 {
 	const struct entry *entry = w->question->entry;
 	double rotor = entry->site->rotor;
 	size_t n;
-	FREED struct sample_advice *c = rank_candidate_speeds(s, w, &n);
+	FREED struct sample_advice *c = rank_candidate_sample_speeds(s, w, &n);
 	if (c == NULL)
 		return NULL;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, w->question->speed, NAN);
-	struct answer *r = answer_about_site(entry->site, "advise",
+	struct answer *r = answer_new_about_site(entry->site, "advise",
 	    "what to sample next, for %s at %g m/s%s", w->name,
 	    w->question->speed, rpm);
-	answer_columns(r, "speed: sample at m/s");
+	answer_add_columns(r, "speed: sample at m/s");
 	if (rotor > 0)
-		answer_columns(r, "rpm: rpm");
-	answer_columns(r,
+		answer_add_columns(r, "rpm: rpm");
+	answer_add_columns(r,
 	    "kind, width%s: band after%s, "
 	    "narrower_pct: narrower %%",
 	    quantities_is_size(&w->q)                  ? "_mm"
@@ -293,15 +297,15 @@ build_sampling_answer(const struct session *s, const struct advice_request *w)
 		    c[i].repeat ? tr("repeat") : tr("new"), c[i].width,
 		    100 * (1 - c[i].width / w->width));
 	}
-	struct fields *o = answer_fields(r);
+	struct fields *o = answer_json_fields(r);
 	fields_put_values(o, "quantity %s speed %g low %g high %g width %g",
 	    w->name, w->question->speed, w->ends[0], w->ends[1], w->width);
 	fields_put_values(
 	    o, "best_mps %g best_width %g", c[0].speed, c[0].width);
-	answer_put_rows_as_objects(r, "samples");
+	answer_add_rows_as_json_objects(r, "samples");
 	note_best_sample_speed(r, w, &c[0]);
-	note_exact_speeds(r, s, w, &c[0]);
-	warn_of_range_over_feeds(r, s, w);
+	note_gain_of_exact_speeds(r, s, w, &c[0]);
+	warn_of_spread_over_feeds(r, s, w);
 	return r;
 }
 
@@ -333,20 +337,20 @@ show_sampling_advice(
     struct session *s, struct advice_request *w, struct error *error)
 {
 	const struct entry *entry = w->question->entry;
-	if (posterior_for_answers(s, entry, &entry->params) == NULL)
-		return band_error_missing(s, entry, error);
-	if (!find_band_of_quantity(s, w))
+	if (posterior_if_params_of_entry(s, entry, &entry->params) == NULL)
+		return band_set_error_missing(s, entry, error);
+	if (!compute_band_of_quantity(s, w))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"
 		    "ask for another size",
 		    w->name, w->question->speed);
-	struct answer *r = build_sampling_answer(s, w);
+	struct answer *r = build_next_sample_answer(s, w);
 	if (r == NULL)
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s is the same in all draws: no sample can "
 		    "narrow its band",
 		    w->name, w->question->speed);
-	answers_show_basis_at_speed(
+	answers_note_basis_and_trust_at_speed(
 	    s, r, w->question, w->question->speed, false);
 	return session_show_answer(s, r);
 }

@@ -33,11 +33,11 @@ find_command_of_field(const char *word)
 
 /* Returns the text in COMMAND.FIELD, or NULL if it has none. */
 static const char *
-find_asserted_text(const struct session *s, const char *word)
+asserted_field_text(const struct session *s, const char *word)
 {
 	const struct command *command = find_command_of_field(word);
 	return command == NULL ? NULL
-			       : session_answer_text(
+			       : session_text_in_last_answer(
 				     s, command->name, strchr(word, '.') + 1);
 }
 
@@ -50,19 +50,19 @@ find_asserted_value(const struct session *s, const char *word, double *value)
 		const struct asserted *a = &ASSERTED_NAMES[i];
 		if (strcmp(word, a->name) != 0)
 			continue;
-		*value = session_answer_number(s, a->from, a->path);
+		*value = session_number_in_last_answer(s, a->from, a->path);
 		return true;
 	}
 	const struct command *command = find_command_of_field(word);
 	if (command != NULL)
-		*value = session_answer_number(
+		*value = session_number_in_last_answer(
 		    s, command->name, strchr(word, '.') + 1);
 	return command != NULL;
 }
 
 static bool
-evaluate_assert_side(const struct session *s, const char *word, double *value,
-    struct error *error)
+evaluate_assert_operand(const struct session *s, const char *word,
+    double *value, struct error *error)
 {
 	if (text_parse_number(word, value))
 		return true;
@@ -108,7 +108,7 @@ compare_asserted_values(const char *op, double a, double b, double within)
 
 /* Checks "predict.trust = green". */
 static bool
-check_text(const char *field, const char *op, const char *wanted,
+check_asserted_text(const char *field, const char *op, const char *wanted,
     const char *text, struct error *error)
 {
 	if (strcmp(op, "=") != 0)
@@ -158,14 +158,15 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 		    "assert: expected 'within NUMBER' after the comparison");
 	if (strcmp(word[1], "is") == 0)
 		return check_file_digest(s, word[0], word[2], error);
-	const char *text = find_asserted_text(s, word[0]);
+	const char *text = asserted_field_text(s, word[0]);
 	if (text != NULL && has_within)
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected nothing after a text, got 'within'");
 	if (text != NULL)
-		return check_text(word[0], word[1], word[2], text, error);
-	if (!evaluate_assert_side(s, word[0], &a, error) ||
-	    !evaluate_assert_side(s, word[2], &b, error))
+		return check_asserted_text(
+		    word[0], word[1], word[2], text, error);
+	if (!evaluate_assert_operand(s, word[0], &a, error) ||
+	    !evaluate_assert_operand(s, word[2], &b, error))
 		return false;
 	int result = compare_asserted_values(word[1], a, b, within);
 	if (result < 0)

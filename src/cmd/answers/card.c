@@ -86,9 +86,9 @@ add_usual_card_passings(struct card_request *all, const struct psd *feed)
 			near = feed->size[i];
 	/* Rounded as a limit that is typed in mm, so that the two compare
 	 * equal. */
-	q.x = units_mm(near) / 1000;
+	q.x = units_m_to_mm(near) / 1000;
 	all->ranged = add_card_quantity(all, q);
-	q.x = fines ? QUANTITIES_FINES : units_mm(finest) / 1000;
+	q.x = fines ? QUANTITIES_FINES : units_m_to_mm(finest) / 1000;
 	q.letter = fines ? 'f' : 0;
 	add_card_quantity(all, q);
 }
@@ -138,7 +138,7 @@ parse_plant_if_asked(struct session *s, struct card_request *all,
 /* Solves the circuit once at a speed, because the names of its products are not
  * known before. */
 static bool
-solve_for_stream_names(
+solve_circuit_for_stream_names(
     struct card_request *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plant.circuit;
@@ -155,7 +155,7 @@ solve_for_stream_names(
 /* Takes the limits of the session's goal if the call has none.  A goal with a
  * single value is for find, and gives no limits. */
 static bool
-take_session_goal_limits(
+add_session_goal_limits(
     struct session *s, struct card_request *all, struct error *error)
 {
 	size_t n_value = 0;
@@ -172,7 +172,7 @@ take_session_goal_limits(
 /* Chooses the first figure with a limit, if any, as the one whose range is
  * shown. */
 static void
-choose_limited_figure_for_range(struct card_request *all)
+choose_card_quantity_with_range(struct card_request *all)
 {
 	for (size_t c = all->list.n; c-- > 0;)
 		for (size_t i = 0; i < all->n; i++)
@@ -195,18 +195,18 @@ parse_card_request(struct session *s, struct card_request *all,
 	    (!named || parse_card_quantities(all, args->of, feed, error)) &&
 	    conditions_add_from_args(
 		s, args, all->question, &all->list, error) &&
-	    take_session_goal_limits(s, all, error) &&
+	    add_session_goal_limits(s, all, error) &&
 	    parse_plant_if_asked(s, all, args, error);
 	if (!ok)
 		return false;
-	choose_limited_figure_for_range(all);
+	choose_card_quantity_with_range(all);
 	all->forecast = forecast_open(s, all->question, all->q, all->n);
 	all->cut = forecast_open(s, all->question, &all->q[all->ranged], 1);
 	if (all->list.n > 0)
 		all->wanted =
 		    conditions_open_search(s, all->question, &all->list, NULL);
 	return all->plant.circuit == NULL ||
-	       solve_for_stream_names(all, slowest, error);
+	       solve_circuit_for_stream_names(all, slowest, error);
 }
 
 /* A row's speed and its verdicts.  share: of the draws, those that meet the
@@ -251,16 +251,16 @@ put_card_cell(struct card_table *page, const char *key, const char *head,
 		else
 			answer_resume_table_for_people(r);
 		if (page->row == 0)
-			answer_optional_column(r, name, name, spare);
+			answer_add_optional_column(r, name, name, spare);
 		if (word != NULL)
-			answer_text(r, "%s", word);
+			answer_add_text_cell(r, "%s", word);
 		else
 			answer_add_cells(r, "%.*f", decimals, number);
 	}
 }
 
 static void
-put_card_number(struct card_table *page, const char *key, const char *head,
+put_card_number_cell(struct card_table *page, const char *key, const char *head,
     int decimals, int spare, double number)
 {
 	put_card_cell(page, key, head, decimals, spare, number, NULL);
@@ -268,7 +268,7 @@ put_card_number(struct card_table *page, const char *key, const char *head,
 
 /* Takes ownership of the word. */
 static void
-put_card_text(struct card_table *page, const char *key, const char *head,
+put_card_text_cell(struct card_table *page, const char *key, const char *head,
     int spare, char *word)
 {
 	put_card_cell(page, key, head, AS_NEEDED, spare, NAN, word);
@@ -289,7 +289,7 @@ card_heading_of_quantity(
 		own.fraction = (struct fraction){0};
 	if (q->kind == QUANTITY_PASSING && q->letter == 0 &&
 	    !fraction_is_screened(&own.fraction))
-		return xasprintf("<%g mm", units_mm(q->x));
+		return xasprintf("<%g mm", units_m_to_mm(q->x));
 	char *words = quantities_name(&own);
 	if (q->kind == QUANTITY_SHARE)
 		xappend(&words, " %%");
@@ -299,7 +299,7 @@ card_heading_of_quantity(
 /* Returns the heading of the range.  It names the figure, so that nobody takes
  * the range for that of P80, unless the name is much wider than the range. */
 static char *
-range_column_heading(const struct card_request *all)
+band_column_heading(const struct card_request *all)
 {
 	enum { WIDE = 9 };
 	FREED char *head = card_heading_of_quantity(all, &all->q[all->ranged]);
@@ -311,19 +311,19 @@ range_column_heading(const struct card_request *all)
 /* Returns the measured value of the ranged figure at a speed, or NAN.  Raises
  * *moved to the amount by which it was moved to the card's feed. */
 static double
-measured_figure_at_speed(const struct session *s,
+measured_card_value_at_speed(const struct session *s,
     const struct card_request *all, double speed, double *moved)
 {
 	const struct question *q = all->question;
 	size_t n;
-	return measured_mean_at_speed(
+	return measured_mean_quantity_at_speed(
 	    s, q->entry, q->feed, &all->q[all->ranged], speed, moved, &n);
 }
 
 enum { P20, P50, P80 };
 
 static int
-spare_of_figure(const struct card_request *all, size_t i)
+card_column_priority(const struct card_request *all, size_t i)
 {
 	return i == all->ranged ? NEEDED
 	       : i == P80       ? ASKED
@@ -343,32 +343,34 @@ end_of_band_text(int digits, double end)
 /* Puts the range of the figure that has one.  Programs have that of P80 at any
  * rate. */
 static void
-put_card_range(struct card_table *page, const struct quantity *q,
+put_card_band(struct card_table *page, const struct quantity *q,
     const char *head, struct figure f)
 {
 	int digits = quantities_decimals(q);
 	FREED char *from = end_of_band_text(digits, f.low);
 	FREED char *to = end_of_band_text(digits, f.high);
-	put_card_text(page, NULL, head, RANGE, xasprintf("%s..%s", from, to));
+	put_card_text_cell(
+	    page, NULL, head, RANGE, xasprintf("%s..%s", from, to));
 	if (q->kind == QUANTITY_SIZE && q->x == PSD_PASSING[P80] &&
 	    !fraction_is_screened(&q->fraction))
 		return;
 	FREED char *key = quantities_field_name(q);
 	FREED char *low = xasprintf("%s_low", key);
 	FREED char *high = xasprintf("%s_high", key);
-	put_card_number(page, low, NULL, digits, NEEDED, f.low);
-	put_card_number(page, high, NULL, digits, NEEDED, f.high);
+	put_card_number_cell(page, low, NULL, digits, NEEDED, f.low);
+	put_card_number_cell(page, high, NULL, digits, NEEDED, f.high);
 }
 
 /* A size that the curve does not reach at this speed leaves its cell empty. */
 static void
-put_card_figures(struct card_table *page, const struct session *s,
+put_card_quantities(struct card_table *page, const struct session *s,
     const struct card_request *all, double speed)
 {
 	size_t ranged = all->ranged;
-	FREED char *range = range_column_heading(all);
+	FREED char *range = band_column_heading(all);
 	if (page->row == 0)
-		page->ranged = forecast_draws(all->forecast, ranged) != NULL;
+		page->ranged =
+		    forecast_draws_of_quantity(all->forecast, ranged) != NULL;
 	for (size_t i = 0; i < all->n; i++) {
 		const struct quantity *q = &all->q[i];
 		struct figure f =
@@ -376,23 +378,23 @@ put_card_figures(struct card_table *page, const struct session *s,
 		int digits = quantities_decimals(q);
 		FREED char *key = quantities_field_name(q),
 			   *head = card_heading_of_quantity(all, q);
-		put_card_number(
-		    page, key, head, digits, spare_of_figure(all, i), f.value);
+		put_card_number_cell(page, key, head, digits,
+		    card_column_priority(all, i), f.value);
 		if (i == ranged && page->ranged)
-			put_card_range(page, q, range, f);
+			put_card_band(page, q, range, f);
 		FREED char *sample = xasprintf("%s_measured", key);
 		if (i == ranged && page->measured)
-			put_card_number(page, sample, tr("measured"), digits,
-			    SAMPLE,
-			    measured_figure_at_speed(
+			put_card_number_cell(page, sample, tr("measured"),
+			    digits, SAMPLE,
+			    measured_card_value_at_speed(
 				s, all, speed, &page->moved));
 	}
 	struct figure p80 = forecast_value_in_shown_unit(all->forecast, P80);
-	put_card_number(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
-	put_card_number(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
+	put_card_number_cell(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
+	put_card_number_cell(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
 	if (!page->ranged)
 		return;
-	forecast_set_speed_and_draws(all->cut, speed, ENSEMBLE_SAMPLE);
+	forecast_set_speed_and_ensemble(all->cut, speed, ENSEMBLE_SAMPLE);
 	struct figure cut = forecast_value_in_shown_unit(all->cut, 0);
 	page->cut =
 	    fmax(page->cut, fmax(cut.high - cut.value, cut.value - cut.low));
@@ -401,7 +403,7 @@ put_card_figures(struct card_table *page, const struct session *s,
 /* Puts the tonnes of each stream, the power and the earnings; NAN if the plant
  * has no steady state. */
 static void
-put_card_tonnages(
+put_card_plant_cells(
     struct card_table *page, const struct card_request *all, double speed)
 {
 	struct plant_result o = plant_compute_flow_at_speed(&all->plant, speed);
@@ -415,51 +417,53 @@ put_card_tonnages(
 		    xasprintf("%s_%s", back ? "back_tph" : "tph", line->name);
 		FREED char *head =
 		    xasprintf(back ? tr("%s back") : "%s", line->name);
-		put_card_number(page, key, head, 1, NEEDED, open ? NAN : tph);
+		put_card_number_cell(
+		    page, key, head, 1, NEEDED, open ? NAN : tph);
 	}
-	put_card_number(page, "kwh_per_t", "kWh/t", 2, ASKED,
+	put_card_number_cell(page, "kwh_per_t", "kWh/t", 2, ASKED,
 	    open ? NAN : o.kw / all->plant.circuit->tph);
 	if (all->plant.priced)
-		put_card_number(page, "earnings", tr("earned/h"), 0, NEEDED,
-		    open ? NAN : o.money);
+		put_card_number_cell(page, "earnings", tr("earned/h"), 0,
+		    NEEDED, open ? NAN : o.money);
 	flow_free(&o.flow);
 }
 
 static void
-put_limits_cells(struct card_table *page, const struct card_row *row)
+put_limits_verdict_cells(struct card_table *page, const struct card_row *row)
 {
 	bool drawn = !isnan(row->share);
-	put_card_text(page, "limits", tr("limits"), NEEDED,
+	put_card_text_cell(page, "limits", tr("limits"), NEEDED,
 	    xstrdup(conditions_verdict(row->share, row->holds)));
 	if (drawn) {
 		bool sure = row->share < 0.01 || row->share > 0.99;
-		answer_set_missing(
+		answer_set_missing_text(
 		    page->answer, row->share < 0.5 ? "<1" : ">99");
-		put_card_number(page, NULL, tr("met in 100"), 0, NEEDED,
+		put_card_number_cell(page, NULL, tr("met in 100"), 0, NEEDED,
 		    sure ? NAN : 100 * row->share);
-		answer_set_missing(page->answer, "-");
+		answer_set_missing_text(page->answer, "-");
 	}
-	put_card_text(page, "certain", NULL, NEEDED,
+	put_card_text_cell(page, "certain", NULL, NEEDED,
 	    drawn ? conditions_probability_text(row->share) : xstrdup("-"));
-	put_card_number(page, "certain_pct", NULL, 0, NEEDED, 100 * row->share);
+	put_card_number_cell(
+	    page, "certain_pct", NULL, 0, NEEDED, 100 * row->share);
 }
 
 /* Puts the speed in both units; for people the unit of the sheet comes
  * first. */
 static void
-put_card_speed(struct card_table *page, const struct site *site, double v)
+put_card_speed_cells(struct card_table *page, const struct site *site, double v)
 {
 	bool in_rpm = answers_is_sheet_in_rpm(site);
 	double rpm = rotor_speed_to_rpm(v, site->rotor);
 	if (in_rpm)
-		put_card_number(page, NULL, tr("rpm"), 0, NEEDED, rpm);
-	put_card_number(page, NULL, "m/s", AS_NEEDED,
+		put_card_number_cell(page, NULL, tr("rpm"), 0, NEEDED, rpm);
+	put_card_number_cell(page, NULL, "m/s", AS_NEEDED,
 	    in_rpm ? OTHER_UNIT : NEEDED, round(100 * v) / 100);
 	if (site->rotor > 0 && !in_rpm)
-		put_card_number(page, NULL, tr("rpm"), 0, NEEDED, rpm);
-	put_card_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
+		put_card_number_cell(page, NULL, tr("rpm"), 0, NEEDED, rpm);
+	put_card_number_cell(page, "speed", NULL, AS_NEEDED, NEEDED, v);
 	if (site->rotor > 0)
-		put_card_number(page, "rpm", NULL, 0, NEEDED, rpm);
+		put_card_number_cell(page, "rpm", NULL, 0, NEEDED, rpm);
 }
 
 /* Puts the row of one speed.  Beyond the measured speeds the light has a
@@ -470,25 +474,25 @@ put_card_row(struct card_table *page, struct session *s,
 {
 	const struct entry *entry = all->question->entry;
 	double v = row->speed;
-	put_card_speed(page, entry->site, v);
+	put_card_speed_cells(page, entry->site, v);
 	forecast_set_speed(all->forecast, v);
-	put_card_figures(page, s, all, v);
+	put_card_quantities(page, s, all, v);
 	struct trust light = trust_at_speed(s, entry, v, all->question->feed);
 	row->light = light.light;
 	row->beyond = answers_is_speed_extrapolated(entry, v);
-	trust_keep_worse(worst, light);
+	trust_replace_if_worse(worst, light);
 	const char *name = tr(LIGHT_NAME[row->light]);
-	put_card_text(page, NULL, tr("trust"), NEEDED,
+	put_card_text_cell(page, NULL, tr("trust"), NEEDED,
 	    xasprintf("%s%s", name, row->beyond ? "?" : ""));
 	if (all->plant.circuit != NULL)
-		put_card_tonnages(page, all, v);
+		put_card_plant_cells(page, all, v);
 	if (all->list.n > 0) {
 		forecast_set_speed(all->wanted.forecast, v);
 		row->holds = conditions_are_met(&all->wanted, SIZE_MAX);
 		row->share = conditions_probability(&all->wanted);
-		put_limits_cells(page, row);
+		put_limits_verdict_cells(page, row);
 	}
-	put_card_text(page, "light", NULL, NEEDED, xstrdup(name));
+	put_card_text_cell(page, "light", NULL, NEEDED, xstrdup(name));
 	page->row++;
 }
 
@@ -512,7 +516,7 @@ set_card_title(struct answer *r, const struct site *site, const char *today)
 		if (dash != NULL)
 			*dash = '\0';
 		line[strcspn(line, ",")] = '\0';
-		answer_title(r, "%s (%s): card of %s", label, line, today);
+		answer_set_title(r, "%s (%s): card of %s", label, line, today);
 		return;
 	}
 }
@@ -531,7 +535,7 @@ note_plant_and_power(struct answer *r, const struct card_request *all)
 		answer_note(r, "%g t/h of new feed; %s",
 		    all->plant.circuit->tph, all->power);
 	if (returns)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "sizes and passings are those of the new feed's product, "
 		    "without what comes back; tonnes include it");
 }
@@ -549,10 +553,10 @@ warn_if_limits_never_met(struct answer *r, const struct site *site,
 	    rotor_speed_rpm_text(site->rotor, row[best].speed, NAN);
 	FREED char *often = conditions_times_in_100_text(row[best].share);
 	if (row[best].share < 0.01)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "no speed on this page meets the limits");
 	else if (row[best].share < 0.5)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "no speed on this page is likely to meet the limits: the "
 		    "surest, %g m/s%s, does %s",
 		    row[best].speed, rpm, often);
@@ -570,7 +574,7 @@ note_limits_of_card(struct answer *r, const struct card_request *all,
 				 : N_("limits: %s"),
 		    words);
 		warn_if_limits_never_met(r, all->question->entry->site, row, n);
-		answer_note_column(r, tr("met in 100"),
+		answer_note_on_column(r, tr("met in 100"),
 		    "met in 100: how many times in 100 all limits are met at "
 		    "that speed");
 	}
@@ -579,22 +583,22 @@ note_limits_of_card(struct answer *r, const struct card_request *all,
 
 /* Explains the range, and how far a belt cut may lie from the figure. */
 static void
-note_meaning_of_range(
+note_meaning_of_band(
     struct answer *r, const struct card_request *all, double cut)
 {
 	const struct quantity *of = &all->q[all->ranged];
 	double level = 100 * all->question->level;
 	int digits = quantities_decimals(of);
 	double step = pow(10, -digits);
-	FREED char *range = range_column_heading(all);
+	FREED char *range = band_column_heading(all);
 	FREED char *figure = card_heading_of_quantity(all, of);
-	answer_note_column(r, range,
+	answer_note_on_column(r, range,
 	    "%s: of the figure to its left; the true value lies within it with "
 	    "%.0f %% probability",
 	    range, level);
 	FREED char *words = quantities_name(of);
 	if (isfinite(cut))
-		answer_note_column(r, figure,
+		answer_note_on_column(r, figure,
 		    "%s: a new belt cut may show up to %.*f%s more or less "
 		    "than that figure, in %.0f %% of all cuts",
 		    words, digits, step * ceil(cut / step),
@@ -602,12 +606,12 @@ note_meaning_of_range(
 }
 
 static void
-note_meaning_of_measured(
+note_meaning_of_measured_column(
     struct answer *r, const struct card_request *all, double moved)
 {
 	const double SHOWN = 5e-4; /* changes a tenth of a point */
 	FREED char *of = quantities_name(&all->q[all->ranged]);
-	answer_note_column(r, tr("measured"),
+	answer_note_on_column(r, tr("measured"),
 	    moved > SHOWN
 		? N_("measured: %s of the sample taken at that speed, moved to "
 		     "the feed of this card, by up to %.1f points")
@@ -628,8 +632,9 @@ note_meaning_of_trust_words(struct answer *r, const struct site *site,
 		occurs[row[i].light] = true;
 		beyond = beyond || row[i].beyond;
 	}
-	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, true);
-	FREED char *rpm = session_run_rpm_in_brackets(site, NULL, true);
+	FREED char *speeds =
+	    session_speeds_of_runs_text(site, ", ", NULL, true);
+	FREED char *rpm = session_rpm_of_runs_in_brackets(site, NULL, true);
 	bool named = feed != NULL && strstr(feed, speeds) != NULL;
 	FREED char *words =
 	    occurs[LIGHT_GREEN] && named
@@ -674,14 +679,14 @@ note_basis_of_card(struct answer *r, const struct session *s,
 		answer_note(r, "all of these refer to the fraction %s", cut);
 	}
 	if (page->ranged)
-		note_meaning_of_range(r, all, page->cut);
+		note_meaning_of_band(r, all, page->cut);
 	if (page->measured)
-		note_meaning_of_measured(r, all, page->moved);
+		note_meaning_of_measured_column(r, all, page->moved);
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "equations: %s, %s; %s",
 	    breakage_model_of_params(&q->entry->params)->source,
-	    origin_source_text(q->entry), correction_in_words(s, q->entry));
+	    origin_of_params_text(q->entry), correction_in_words(s, q->entry));
 	if (feed == NULL)
 		answer_note(r, "feed: %s",
 		    site->feed_from[0] != '\0' ? site->feed_from
@@ -692,7 +697,7 @@ note_basis_of_card(struct answer *r, const struct session *s,
 /* If no row is green, gives the reasons for the best light, preferably one at a
  * measured speed.  Programs get the worst light. */
 static void
-note_best_trust_light(struct answer *r, const struct session *s,
+note_reasons_for_best_trust(struct answer *r, const struct session *s,
     const struct question *q, const struct card_row *row, size_t n,
     struct trust *worst)
 {
@@ -703,16 +708,16 @@ note_best_trust_light(struct answer *r, const struct session *s,
 		    (alike && !row[i].beyond && row[best].beyond))
 			best = i;
 	}
-	answers_note_basis_no_light(s, r, q, 0, NULL, worst);
+	answers_note_basis_without_trust(s, r, q, 0, NULL, worst);
 	if (n > 0 && row[best].light != LIGHT_GREEN) {
 		FREED char *said = trust_in_words_at_speed(
 		    s, q->entry, row[best].speed, q->feed);
-		answer_say(r,
+		answer_add_sentence(r,
 		    row[best].light == LIGHT_RED ? ANSWER_WARNING
 						 : ANSWER_REMARK,
 		    "%s", said);
 	}
-	trust_put_fields(answer_fields(r), worst);
+	trust_put_fields(answer_json_fields(r), worst);
 	trust_free(worst);
 }
 
@@ -721,31 +726,31 @@ build_card_answer(
     struct session *s, struct card_request *all, const double *speed, size_t n)
 {
 	const struct entry *entry = all->question->entry;
-	FREED char *today = datetime_today();
+	FREED char *today = datetime_today_text();
 	struct answer *r =
-	    answer_about_site(entry->site, "card", "card of %s", today);
+	    answer_new_about_site(entry->site, "card", "card of %s", today);
 	set_card_title(r, entry->site, today);
 	struct trust light = trust_in_answer_or_fit(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
 	struct card_table page = {.answer = r, .cut = NAN};
 	for (size_t i = 0; i < n; i++)
 		page.measured =
-		    page.measured || !isnan(measured_figure_at_speed(
+		    page.measured || !isnan(measured_card_value_at_speed(
 					 s, all, speed[i], &page.moved));
 	for (size_t i = 0; i < n; i++) {
 		row[i] = (struct card_row){.speed = speed[i], .share = NAN};
 		put_card_row(&page, s, all, &row[i], &light);
 	}
-	fields_put_values(answer_fields(r), "date %s machine %s model %s",
+	fields_put_values(answer_json_fields(r), "date %s machine %s model %s",
 	    today, entry->site->machine,
 	    breakage_model_of_params(&entry->params)->name);
 	answer_begin_table_for_programs(r);
-	answer_put_rows_as_objects(r, "rows");
+	answer_add_rows_as_json_objects(r, "rows");
 	answer_resume_table_for_people(r);
 	note_limits_of_card(r, all, row, n);
 	note_plant_and_power(r, all);
 	note_basis_of_card(r, s, all, &page, row, n);
-	note_best_trust_light(r, s, all->question, row, n, &light);
+	note_reasons_for_best_trust(r, s, all->question, row, n, &light);
 	return r;
 }
 
@@ -760,7 +765,7 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
 	if (ok && s->document != NULL)
 		s->document->one_page = true;
 	if (ok && s->document != NULL && all.of_goal)
-		session_note(s,
+		session_print_note(s,
 		    "the card has the limits of the goal that is set; 'set "
 		    "goal none' leaves them out");
 	if (ok)

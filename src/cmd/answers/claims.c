@@ -29,14 +29,14 @@ static void
 collect_fitted_sites(struct claim_evidence *c, const struct session *s)
 {
 	c->settings = s->set.model;
-	material_add_table3(&c->paper);
+	material_add_table3_to_list(&c->paper);
 	c->fit = xcalloc(s->n_entry + 1, sizeof(*c->fit));
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *e = &s->entry[i];
 		if (!e->has_fit || e->params.breakage != 0)
 			continue;
 		c->fit[c->n++] = e;
-		trials_add_held_out_of_entry(&c->runs, s, i, NULL);
+		trials_add_held_out_runs_of_site(&c->runs, s, i, NULL);
 	}
 }
 
@@ -56,7 +56,7 @@ add_claim_verdict(
 
 /* Returns how many rows of Table 3 have a property at a bound of Table 2. */
 static size_t
-count_rows_at_bound(const struct material_list *paper)
+count_table3_rows_at_bound(const struct material_list *paper)
 {
 	const struct bounds b = bounds_default(0);
 	size_t n = 0;
@@ -94,7 +94,7 @@ check_claim_params_within_bounds(
 			 "Table 2, in %zu of %zu rows of Table 3: such fits do "
 			 "not determine the properties, whatever these are"),
 		low[0], high[0], low[1], high[1], low[2], high[2], bound, c->n,
-		count_rows_at_bound(&c->paper), c->paper.n));
+		count_table3_rows_at_bound(&c->paper), c->paper.n));
 }
 
 static void
@@ -121,7 +121,7 @@ check_claim_p50_differs_least(struct answer *r, const struct claim_evidence *c)
 /* True if a correlation is so far below 0 that chance alone goes that far from
  * 0 only once in 20 (t is about 2). */
 static bool
-is_correlation_surely_negative(double r, size_t n)
+is_correlation_significantly_negative(double r, size_t n)
 {
 	const double t = 2.1;
 	return n > 2 && r < -t / sqrt(t * t + (double)n - 2);
@@ -148,7 +148,7 @@ check_claim_f_mat_opposes_e0_min(
 		     : xstrdup("");
 	add_claim_verdict(r,
 	    N_("high f_mat goes with low e0_min, and the reverse"),
-	    is_correlation_surely_negative(printed, c->paper.n),
+	    is_correlation_significantly_negative(printed, c->paper.n),
 	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3%s; "
 			 "chance alone goes beyond %.2f once in 20"),
 		printed, c->paper.n, fits,
@@ -271,11 +271,11 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	bool any = c.n > 0 && c.runs.n > 0;
 	struct answer *r = answer_new("show");
 	answer_begin_table_for_programs(r);
-	answer_columns(r, "claim, borne_out, figures");
+	answer_add_columns(r, "claim, borne_out, figures");
 	for (size_t i = 0; i < c.n; i++)
 		sources_add_site(&all, c.fit[i]->key, c.fit[i]->site);
-	FREED char *about = sources_end(&all);
-	answer_title(r,
+	FREED char *about = sources_text_and_clear(&all);
+	answer_set_title(r,
 	    "claims of Grunditz et al. (2021), at %zu calibrated sites", c.n);
 	answer_set_site_names(r, "", about);
 	if (any) {
@@ -286,10 +286,11 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 		check_claim_f_mat_opposes_e0_min(r, &c);
 		check_claim_f_mat_is_resistance(r, &c);
 	}
-	answer_put_rows_as_objects(r, "claims");
-	fields_put_values(answer_fields(r), "what %s sites %zu", "claims", c.n);
+	answer_add_rows_as_json_objects(r, "claims");
+	fields_put_values(
+	    answer_json_fields(r), "what %s sites %zu", "claims", c.n);
 	if (strstr(about, "reconstructed") != NULL)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "reconstructed data are made by the model itself: they can "
 		    "show that its calibration works, not that rock breaks "
 		    "this way");

@@ -38,7 +38,7 @@ struct compared {
 static const char PIN[] = "pinned";
 
 static bool
-are_sides_two_sites(const struct compared side[2])
+are_compared_sites_different(const struct compared side[2])
 {
 	return entry_without_scenario(side[0].entry) !=
 	       entry_without_scenario(side[1].entry);
@@ -46,7 +46,7 @@ are_sides_two_sites(const struct compared side[2])
 
 /* Returns the passing at a size, NAN if the side's sieves do not cover it. */
 static double
-compared_passing_at_size(const struct compared *side, double x)
+compared_side_passing_at_size(const struct compared *side, double x)
 {
 	const struct psd *p = side->pinned ? &side->p.curve : &side->p.product;
 	return psd_covers_size(p, x) ? psd_passing(p, x) : NAN;
@@ -55,7 +55,7 @@ compared_passing_at_size(const struct compared *side, double x)
 /* Returns the sieves of both sides, coarsest first, without those of a pinned
  * side unless both are pinned.  The caller frees them. */
 static double *
-merge_sieves_of_sides(const struct compared side[2], size_t *n)
+merge_sieves_of_compared_sides(const struct compared side[2], size_t *n)
 {
 	double *x = xcalloc_doubles(side[0].p.product.n + side[1].p.product.n);
 	*n = 0;
@@ -73,8 +73,8 @@ merge_sieves_of_sides(const struct compared side[2], size_t *n)
 /* Forecasts the passings at sieves x [n] and P20, P50 and P80 at the side's
  * speed.  Returns NULL for a pinned prediction. */
 static struct forecast *
-open_side_forecast(const struct session *s, const struct compared *side,
-    const double *x, size_t n)
+open_compared_side_forecast(const struct session *s,
+    const struct compared *side, const double *x, size_t n)
 {
 	FREED struct quantity *q = xcalloc(n + PSD_SIZES, sizeof *q);
 	for (size_t i = 0; i < n + PSD_SIZES; i++)
@@ -91,7 +91,7 @@ open_side_forecast(const struct session *s, const struct compared *side,
 
 /* Adds two cells: the ends of the band of b - a. */
 static void
-add_difference_range_cells(
+add_difference_band_cells(
     struct answer *r, struct forecast *const f[2], size_t i, bool size)
 {
 	struct figure more = forecast_difference(f[0], f[1], i);
@@ -101,36 +101,38 @@ add_difference_range_cells(
 }
 
 static void
-add_comparison_rows(struct answer *r, const struct compared side[2],
+add_passing_comparison_rows(struct answer *r, const struct compared side[2],
     struct forecast *const f[2], bool band, const double *x, size_t n)
 {
 	char key[40], head[24];
-	answer_columns(r, "quantity: sieve mm, a: %s, b: %s, difference",
+	answer_add_columns(r, "quantity: sieve mm, a: %s, b: %s, difference",
 	    side[0].head, side[1].head);
 	if (band)
-		answer_columns(r, "low, high");
+		answer_add_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
-		double a = compared_passing_at_size(&side[0], x[i]);
-		double b = compared_passing_at_size(&side[1], x[i]);
-		snprintf(key, sizeof key, "passing_pct@%g", units_mm(x[i]));
-		snprintf(head, sizeof head, "%g", units_mm(x[i]));
-		answer_name(r, key, head);
-		answer_set_missing(r, "-");
-		answer_add_cells(r, "%.1f %.1f %+.1f", units_pct(a),
-		    units_pct(b), 100 * (b - a));
+		double a = compared_side_passing_at_size(&side[0], x[i]);
+		double b = compared_side_passing_at_size(&side[1], x[i]);
+		snprintf(
+		    key, sizeof key, "passing_pct@%g", units_m_to_mm(x[i]));
+		snprintf(head, sizeof head, "%g", units_m_to_mm(x[i]));
+		answer_add_keyed_cell(r, key, head);
+		answer_set_missing_text(r, "-");
+		answer_add_cells(r, "%.1f %.1f %+.1f", units_fraction_to_pct(a),
+		    units_fraction_to_pct(b), 100 * (b - a));
 		if (band)
-			add_difference_range_cells(r, f, i, false);
+			add_difference_band_cells(r, f, i, false);
 	}
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
-		answer_name(r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
+		answer_add_keyed_cell(
+		    r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
 		answers_add_size_cell(r, &side[0].p, i);
 		answers_add_size_cell(r, &side[1].p, i);
-		answer_set_missing(r, "-");
+		answer_set_missing_text(r, "-");
 		answer_add_cells(r, "%+.2f",
 		    answers_product_size_mm(&side[1].p, i) -
 			answers_product_size_mm(&side[0].p, i));
 		if (band && i != ANSWERS_BREAK)
-			add_difference_range_cells(r, f, n + i, true);
+			add_difference_band_cells(r, f, n + i, true);
 		else if (band)
 			answer_add_cells(r, "%.2f %.2f", NAN, NAN);
 	}
@@ -148,13 +150,13 @@ round_difference_as_shown(const struct quantity *q, double value)
 /* Says on which side the quantity is higher, and how far the difference varies
  * with the sampled feeds. */
 static void
-note_which_side_has_more(struct answer *r, const struct session *s,
+note_higher_of_compared_sides(struct answer *r, const struct session *s,
     const struct compared side[2], const struct quantity *q, struct figure more)
 {
 	int digits = quantities_decimals(q);
 	const char *unit = quantities_difference_suffix(q);
 	FREED char *words = quantities_name(q);
-	FREED char *chance = predict_probability_words(side[0].q.level);
+	FREED char *chance = predict_probability_text(side[0].q.level);
 	double range[2], low = round_difference_as_shown(q, more.low);
 	double high = round_difference_as_shown(q, more.high);
 	if (low > 0 || high < 0)
@@ -177,9 +179,9 @@ note_which_side_has_more(struct answer *r, const struct session *s,
 		answer_note(
 		    r, "%s: the same at both, to the digits shown", words);
 	const struct question *asked = &side[0].q;
-	if ((low < 0 || high > 0) && !are_sides_two_sites(side) &&
+	if ((low < 0 || high > 0) && !are_compared_sites_different(side) &&
 	    asked->feed == SITE_MEAN_FEED &&
-	    predict_range_over_feeds(
+	    predict_value_range_over_feeds(
 		s, asked, q, side[0].p.speed, side[1].p.speed, range))
 		answer_note(r,
 		    "with the feeds that were sampled, the difference in %s "
@@ -191,21 +193,22 @@ note_which_side_has_more(struct answer *r, const struct session *s,
 /* Adds a row, an object for programs and, if there are bands, a sentence for
  * each quantity q [n]. */
 static void
-add_compared_figures(struct answer *r, const struct session *s,
+add_compared_quantity_rows(struct answer *r, const struct session *s,
     const struct compared side[2], const struct quantity *q, size_t n)
 {
-	struct fields *list = fields_add_list(answer_fields(r), "figures");
+	struct fields *list = fields_add_list(answer_json_fields(r), "figures");
 	struct forecast *f[2];
 	for (size_t i = 0; i < 2; i++) {
 		f[i] = forecast_open(s, &side[i].q, q, n);
 		forecast_set_speed(f[i], side[i].p.speed);
 	}
-	bool band =
-	    forecast_draws(f[0], 0) != NULL && forecast_draws(f[1], 0) != NULL;
-	answer_columns(r, "quantity: figure, a: %s, b: %s, unit, difference",
-	    side[0].head, side[1].head);
+	bool band = forecast_draws_of_quantity(f[0], 0) != NULL &&
+		    forecast_draws_of_quantity(f[1], 0) != NULL;
+	answer_add_columns(r,
+	    "quantity: figure, a: %s, b: %s, unit, difference", side[0].head,
+	    side[1].head);
 	if (band)
-		answer_columns(r, "low, high");
+		answer_add_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
 		struct figure more = forecast_difference(f[0], f[1], i);
 		double a = forecast_value_in_shown_unit(f[0], i).value;
@@ -216,7 +219,7 @@ add_compared_figures(struct answer *r, const struct session *s,
 		FREED char *key = quantities_field_name(&q[i]);
 		FREED char *words = quantities_name(&q[i]);
 		const char *unit = quantities_unit(&q[i]);
-		answer_name(r, key, words);
+		answer_add_keyed_cell(r, key, words);
 		answer_add_cells(r, "%.*f %.*f %s %+.*f", decimals, a, decimals,
 		    b, unit, decimals, b - a);
 		if (band)
@@ -227,15 +230,15 @@ add_compared_figures(struct answer *r, const struct session *s,
 		    "%g",
 		    key, unit, a, b, b - a, low, high);
 		if (band)
-			note_which_side_has_more(r, s, side, &q[i], more);
+			note_higher_of_compared_sides(r, s, side, &q[i], more);
 	}
 	for (size_t i = 0; i < 2; i++)
 		forecast_close(f[i]);
 }
 
 static void
-put_side_fields(struct fields *o, const char *key, const struct compared *side,
-    const double *x, size_t n)
+put_compared_side_fields(struct fields *o, const char *key,
+    const struct compared *side, const double *x, size_t n)
 {
 	struct fields *one = fields_add_object(o, key);
 	fields_put_values(one, "site %s speed %g extrapolated %d",
@@ -244,20 +247,21 @@ put_side_fields(struct fields *o, const char *key, const struct compared *side,
 	struct fields *passing = fields_add_list(one, "passing_pct");
 	for (size_t i = 0; i < n; i++)
 		fields_put_values(passing, "%g",
-		    units_pct(compared_passing_at_size(side, x[i])));
-	answers_put_sizes(one, &side->p);
-	screened_put_fields(one, &side->p);
-	origin_put_fields(one, side->entry);
+		    units_fraction_to_pct(
+			compared_side_passing_at_size(side, x[i])));
+	answers_put_product_size_fields(one, &side->p);
+	screened_put_fraction_fields(one, &side->p);
+	origin_put_param_source(one, side->entry);
 }
 
 /* Returns the provenance of both sides, or of one if they are the same. */
 static char *
-provenance_of_both_sides(const struct compared side[2])
+provenance_of_compared_sides(const struct compared side[2])
 {
 	char *first[2];
 	for (size_t i = 0; i < 2; i++)
-		first[i] =
-		    site_source_clause(side[i].entry->site, "not stated");
+		first[i] = site_provenance_first_clause(
+		    side[i].entry->site, "not stated");
 	bool same = strcmp(first[0], first[1]) == 0;
 	char *both = same ? xstrdup(first[0])
 			  : xasprintf("%s: %s, %s: %s", side[0].head, first[0],
@@ -270,45 +274,48 @@ provenance_of_both_sides(const struct compared side[2])
 /* Notes what breaks on each side, and warns of speeds outside the training
  * speeds. */
 static void
-note_broken_and_extrapolated(struct answer *r, const struct compared side[2])
+note_broken_shares_and_extrapolation(
+    struct answer *r, const struct compared side[2])
 {
 	answer_note(r, "broken, %% of feed: %.1f and %.1f",
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
 	for (size_t i = 0; i < 2; i++)
 		if (answers_is_speed_extrapolated(
 			side[i].entry, side[i].p.speed))
-			answer_say(r, ANSWER_WARNING,
+			answer_add_sentence(r, ANSWER_WARNING,
 			    "%s is outside the training speeds", side[i].words);
 }
 
 /* Shows the basis of both sides, once if it is the same, and the worse of the
  * two lights. */
 static void
-show_basis_of_both_sides(
+note_basis_and_trust_of_both_sides(
     const struct session *s, struct answer *r, const struct compared side[2])
 {
-	bool two = are_sides_two_sites(side);
+	bool two = are_compared_sites_different(side);
 	bool feeds = two || side[0].p.feed_run != side[1].p.feed_run;
 	struct trust light =
 	    trust_in_answer_or_fit(s, side[0].entry, &side[0].p);
-	trust_keep_worse(
+	trust_replace_if_worse(
 	    &light, trust_in_answer_or_fit(s, side[1].entry, &side[1].p));
 	for (size_t i = 0; i < 2; i++) {
 		const struct question q = question_of_whole_product(
 		    s, side[i].entry, side[i].p.feed_run);
 		const char *whose = feeds ? side[i].words : NULL;
 		if (i == 0 || two)
-			answers_note_basis_no_light(s, r, &q, 0, whose, &light);
+			answers_note_basis_without_trust(
+			    s, r, &q, 0, whose, &light);
 		else if (feeds)
-			feed_note_in_answer(r, q.entry->site, q.feed, whose, 0);
+			feed_add_note_to_answer(
+			    r, q.entry->site, q.feed, whose, 0);
 	}
-	trust_show(r, light);
+	trust_add_to_answer(r, light);
 }
 
 /* A pinned prediction is not computed again, so its draws cannot be paired with
  * those of the other side, and the difference has no band. */
 static bool
-use_pin_as_side(struct session *s, const struct args *args,
+use_pin_as_compared_side(struct session *s, const struct args *args,
     struct compared *side, struct error *error)
 {
 	const struct pin *pin = s->pin;
@@ -343,12 +350,12 @@ is_operand_pin(const struct args *args, size_t i)
  * as a speed of the site in use.  Two speeds share one feed.  Beside a pinned
  * prediction the feed is chosen as in predict. */
 static bool
-parse_side_and_predict(struct session *s, const struct args *args, bool sites,
-    double v, size_t i, struct compared *side, struct error *error)
+parse_compared_side_and_predict(struct session *s, const struct args *args,
+    bool sites, double v, size_t i, struct compared *side, struct error *error)
 {
 	const char *word = args->operand[i];
 	if (is_operand_pin(args, i))
-		return use_pin_as_side(s, args, side, error);
+		return use_pin_as_compared_side(s, args, side, error);
 	size_t at = s->current;
 	if (sites && !session_find_site(s, word, &at, error))
 		return false;
@@ -374,7 +381,7 @@ parse_side_and_predict(struct session *s, const struct args *args, bool sites,
 
 /* Names a side by its site, its speed, or both if the site is not enough. */
 static char *
-name_of_side(
+name_of_compared_side(
     const struct compared *side, bool sites, bool two, const char *speed)
 {
 	const char *key = side->entry->key;
@@ -387,17 +394,19 @@ name_of_side(
 
 /* Names the sides, in headings and in words, by what differs between them. */
 static void
-set_headings_of_sides(bool sites, struct compared side[2])
+set_headings_of_compared_sides(bool sites, struct compared side[2])
 {
-	bool two = are_sides_two_sites(side);
+	bool two = are_compared_sites_different(side);
 	for (size_t i = 0; i < 2; i++) {
 		const struct site *site = side[i].entry->site;
 		double v = side[i].p.speed;
 		FREED char *column = answers_speed_text(site, v, -1);
 		FREED char *rpm = rotor_speed_rpm_text(site->rotor, v, NAN);
 		FREED char *speed = xasprintf("%g m/s%s", v, rpm);
-		side[i].head = name_of_side(&side[i], sites, two, column);
-		side[i].words = name_of_side(&side[i], sites, two, speed);
+		side[i].head =
+		    name_of_compared_side(&side[i], sites, two, column);
+		side[i].words =
+		    name_of_compared_side(&side[i], sites, two, speed);
 	}
 }
 
@@ -408,18 +417,19 @@ set_title_of_two_sites(struct answer *r, const struct compared side[2],
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	FREED char *both = xasprintf("%s, %s", a->name, b->name);
-	FREED char *data = provenance_of_both_sides(side);
+	FREED char *data = provenance_of_compared_sides(side);
 	FREED char *rpm = rotor_speed_rpm_text(
 	    a->rotor == b->rotor ? a->rotor : 0, side[0].p.speed, NAN);
 	if (side[0].p.speed != side[1].p.speed)
-		answer_title(r, "%s and %s%s%s", side[0].words, side[1].words,
-		    passing, fraction);
+		answer_set_title(r, "%s and %s%s%s", side[0].words,
+		    side[1].words, passing, fraction);
 	else if (a->with[0] != '\0')
-		answer_title(r, "%s and %s, with %s, at %g m/s%s%s%s", a->name,
-		    b->name, a->with, side[0].p.speed, rpm, passing, fraction);
+		answer_set_title(r, "%s and %s, with %s, at %g m/s%s%s%s",
+		    a->name, b->name, a->with, side[0].p.speed, rpm, passing,
+		    fraction);
 	else
-		answer_title(r, "%s and %s at %g m/s%s%s%s", a->name, b->name,
-		    side[0].p.speed, rpm, passing, fraction);
+		answer_set_title(r, "%s and %s at %g m/s%s%s%s", a->name,
+		    b->name, side[0].p.speed, rpm, passing, fraction);
 	answers_put_feed_and_machine(r, a);
 	answer_set_site_names(r, both, data);
 }
@@ -431,13 +441,13 @@ add_compared_sieves_and_sizes(struct answer *r, const struct session *s,
 {
 	struct forecast *f[2];
 	for (size_t i = 0; i < 2; i++)
-		f[i] = open_side_forecast(s, &side[i], x, n);
+		f[i] = open_compared_side_forecast(s, &side[i], x, n);
 	bool band = f[0] != NULL && f[1] != NULL &&
-		    forecast_draws(f[0], n) != NULL &&
-		    forecast_draws(f[1], n) != NULL;
-	add_comparison_rows(r, side, f, band, x, n);
+		    forecast_draws_of_quantity(f[0], n) != NULL &&
+		    forecast_draws_of_quantity(f[1], n) != NULL;
+	add_passing_comparison_rows(r, side, f, band, x, n);
 	if (band)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "low, high: the difference lies between them with %.0f %% "
 		    "probability",
 		    100 * side[0].q.level);
@@ -451,37 +461,39 @@ build_comparison_answer(const struct session *s, const struct compared side[2],
     const struct quantity *q, size_t n_q)
 {
 	size_t n;
-	FREED double *x = merge_sieves_of_sides(side, &n);
-	FREED char *fraction = screened_title_suffix(&side[0].p.fraction);
+	FREED double *x = merge_sieves_of_compared_sides(side, &n);
+	FREED char *fraction =
+	    screened_fraction_title_suffix(&side[0].p.fraction);
 	const char *passing = q != NULL ? "" : tr(", % passing");
-	struct answer *r = are_sides_two_sites(side)
+	struct answer *r = are_compared_sites_different(side)
 			       ? answer_new("compare")
-			       : answer_about_site(side[0].entry->site,
+			       : answer_new_about_site(side[0].entry->site,
 				     "compare", "%s and %s%s%s", side[0].words,
 				     side[1].words, passing, fraction);
-	if (are_sides_two_sites(side))
+	if (are_compared_sites_different(side))
 		set_title_of_two_sites(r, side, passing, fraction);
 	if (q != NULL) {
-		add_compared_figures(r, s, side, q, n_q);
+		add_compared_quantity_rows(r, s, side, q, n_q);
 	} else {
 		add_compared_sieves_and_sizes(r, s, side, x, n);
-		note_broken_and_extrapolated(r, side);
+		note_broken_shares_and_extrapolation(r, side);
 	}
-	show_basis_of_both_sides(s, r, side);
-	fields_put_values(answer_fields(r), ".speed_a %g .speed_b %g",
+	note_basis_and_trust_of_both_sides(s, r, side);
+	fields_put_values(answer_json_fields(r), ".speed_a %g .speed_b %g",
 	    side[0].p.speed, side[1].p.speed);
 	answer_repeat_fields_in_rows(r, "speed_a speed_b");
-	fields_put_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
+	fields_put_numbers(
+	    answer_json_fields(r), "sieve_mm", x, n, units_m_to_mm);
 	for (size_t i = 0; i < 2; i++)
-		put_side_fields(
-		    answer_fields(r), i == 0 ? "a" : "b", &side[i], x, n);
+		put_compared_side_fields(
+		    answer_json_fields(r), i == 0 ? "a" : "b", &side[i], x, n);
 	return r;
 }
 
 /* Draws both curves as an image.  The second is the main one, unless it is
  * pinned. */
 static bool
-draw_both_curves(
+draw_compared_curves(
     struct session *s, const struct compared side[2], struct error *error)
 {
 	const struct compared *one = &side[side[1].pinned ? 0 : 1];
@@ -493,7 +505,7 @@ draw_both_curves(
 	request.asked.feed = one->p.feed_run;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
-	if (are_sides_two_sites(side))
+	if (are_compared_sites_different(side))
 		request.beside = two->entry->key;
 	request.band = one->p.low != NULL;
 	struct chart *chart = plots_make_chart(s, &request, error);
@@ -535,18 +547,19 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		    "write: compare 69 79, or two sites: compare tierp bro "
 		    "speed=74");
 	if (sites && !(speed > 0))
-		speed = question_last_speed(
-		    s, answers_default_speed(session_current_entry(s)));
+		speed = question_last_speed_or_usual(
+		    s, answers_default_speed(session_current_site_entry(s)));
 	FREED struct quantity *q = NULL;
 	size_t n = 0;
-	bool ok =
-	    parse_side_and_predict(s, args, sites, speed, 0, &side[0], error) &&
-	    parse_side_and_predict(s, args, sites, speed, 1, &side[1], error) &&
-	    parse_compared_quantities(args, side, &q, &n, error);
+	bool ok = parse_compared_side_and_predict(
+		      s, args, sites, speed, 0, &side[0], error) &&
+		  parse_compared_side_and_predict(
+		      s, args, sites, speed, 1, &side[1], error) &&
+		  parse_compared_quantities(args, side, &q, &n, error);
 	if (ok && plot_is_image_wanted(s)) {
-		ok = draw_both_curves(s, side, error);
+		ok = draw_compared_curves(s, side, error);
 	} else if (ok) {
-		set_headings_of_sides(sites, side);
+		set_headings_of_compared_sides(sites, side);
 		session_show_answer(s, build_comparison_answer(s, side, q, n));
 	}
 	for (size_t i = 0; i < 2; i++) {

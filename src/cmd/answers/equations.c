@@ -53,7 +53,7 @@ exponent_of_eq3(const struct equation_example *w, double x, double speed)
 /* Returns the middle, in log size, of the coarsest size class that breaks or,
  * unless `breaks`, of the coarsest that does not, m; NAN if there is none. */
 static double
-midpoint_of_coarsest_class(
+midpoint_of_coarsest_broken_class(
     const struct equation_example *w, double speed, bool breaks)
 {
 	const struct psd *feed = site_feed_of_run(w->site, SITE_MEAN_FEED);
@@ -66,30 +66,30 @@ midpoint_of_coarsest_class(
 }
 
 static void
-say_effect_of_sign(
+note_effect_of_misprinted_sign(
     struct answer *r, const struct equation_example *w, double speed)
 {
-	double coarse = midpoint_of_coarsest_class(w, speed, true),
-	       fine = midpoint_of_coarsest_class(w, speed, false);
-	struct fields *o = fields_add_object(answer_fields(r), "d1");
+	double coarse = midpoint_of_coarsest_broken_class(w, speed, true),
+	       fine = midpoint_of_coarsest_broken_class(w, speed, false);
+	struct fields *o = fields_add_object(answer_json_fields(r), "d1");
 	if (!isnan(coarse)) {
 		double t = exponent_of_eq3(w, coarse, speed);
 		fields_put_values(o, "coarse_mm %g used_pct %g printed_pct %g",
-		    units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
+		    units_m_to_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
 		answer_note(r,
 		    "D1, the sign: at %g m/s S of %.3g mm is %.1f %%; as "
 		    "printed it is %.3g %%",
-		    speed, units_mm(coarse), -100 * expm1(-t),
+		    speed, units_m_to_mm(coarse), -100 * expm1(-t),
 		    fmax(-100 * expm1(t), -DBL_MAX));
 	}
 	if (!isnan(fine)) {
 		double t = exponent_of_eq3(w, fine, speed);
 		fields_put_values(o, "fine_mm %g no_floor_pct %g",
-		    units_mm(fine), -100 * expm1(-t));
+		    units_m_to_mm(fine), -100 * expm1(-t));
 		answer_note(r,
 		    "D1, the floor: %.3g mm is below the break size and does "
 		    "not break; without the floor its S is %.3g %%",
-		    units_mm(fine), fmax(-100 * expm1(-t), -DBL_MAX));
+		    units_m_to_mm(fine), fmax(-100 * expm1(-t), -DBL_MAX));
 	}
 }
 
@@ -100,7 +100,8 @@ broken_share_with_x_in_mm(const struct equation_example *w, double speed)
 	const struct psd *feed = site_feed_of_run(w->site, SITE_MEAN_FEED);
 	double sum = 0;
 	for (size_t i = 0; i + 1 < feed->n; i++) {
-		double mm = units_mm(sqrt(feed->size[i] * feed->size[i + 1]));
+		double mm =
+		    units_m_to_mm(sqrt(feed->size[i] * feed->size[i + 1]));
 		double t = exponent_of_eq3(w, mm, speed);
 		sum += (feed->passing[i] - feed->passing[i + 1]) *
 		       (t > 0 ? -expm1(-t) : 0);
@@ -109,7 +110,7 @@ broken_share_with_x_in_mm(const struct equation_example *w, double speed)
 }
 
 static void
-say_effect_of_millimetres(struct answer *r, const struct equation_example *w)
+note_effect_of_millimetres(struct answer *r, const struct equation_example *w)
 {
 	double speed[2] = {w->site->run[w->low].speed,
 	    w->site->run[w->high].speed},
@@ -121,7 +122,7 @@ say_effect_of_millimetres(struct answer *r, const struct equation_example *w)
 		mm[i] = 100 * broken_share_with_x_in_mm(w, speed[i]);
 		prediction_free(&p);
 	}
-	fields_put_values(fields_add_object(answer_fields(r), "d2"),
+	fields_put_values(fields_add_object(answer_json_fields(r), "d2"),
 	    "low_pct %g high_pct %g mm_low_pct %g mm_high_pct %g", metres[0],
 	    metres[1], mm[0], mm[1]);
 	answer_note(r,
@@ -150,7 +151,7 @@ rmse_of_params_at_run(const struct equation_example *w,
  * whatever beta is, unless p of a parent's size is negative, which is clipped
  * (D4). */
 static void
-say_effect_of_literal_appearance(
+note_effect_of_literal_appearance(
     struct answer *r, const struct equation_example *w)
 {
 	struct model_settings literal = w->settings;
@@ -172,7 +173,7 @@ say_effect_of_literal_appearance(
 	double off = rmse_of_params_at_run(w, literal, w->p, w->site->n_run),
 	       used =
 		   rmse_of_params_at_run(w, w->settings, w->p, w->site->n_run);
-	fields_put_values(fields_add_object(answer_fields(r), "d3"),
+	fields_put_values(fields_add_object(answer_json_fields(r), "d3"),
 	    "beta_moves_pct %g literal_rmse_pct %g used_rmse_pct %g", most, off,
 	    used);
 	bool clipped = most >= 1e-9;
@@ -221,7 +222,7 @@ minimise_printed_eq5(const struct equation_example *w, struct misfit *low,
 }
 
 static void
-say_effect_of_printed_eq5_minus(
+note_effect_of_printed_eq5_minus(
     struct answer *r, const struct equation_example *w)
 {
 	struct misfit *m[2];
@@ -237,7 +238,7 @@ say_effect_of_printed_eq5_minus(
 	double off[2];
 	for (size_t i = 0; i < 2; i++)
 		off[i] = 100 * misfit_rmse(m[i], &best);
-	fields_put_values(fields_add_object(answer_fields(r), "d6"),
+	fields_put_values(fields_add_object(answer_json_fields(r), "d6"),
 	    "own %g least %g low_rmse_pct %g high_rmse_pct %g", own, least,
 	    off[0], off[1]);
 	answer_note(r,
@@ -271,7 +272,7 @@ find_slowest_and_fastest_run(struct equation_example *w)
 /* Shows the effect of each departure at the site in use, if it has parameters
  * of the paper's model. */
 static void
-say_departure_effects(struct answer *r, const struct session *s)
+note_effects_of_paper_departures(struct answer *r, const struct session *s)
 {
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -289,17 +290,17 @@ say_departure_effects(struct answer *r, const struct session *s)
 	}
 	w.site = entry->site;
 	w.p = &entry->params;
-	say_effect_of_sign(r, &w, answers_default_speed(entry));
+	note_effect_of_misprinted_sign(r, &w, answers_default_speed(entry));
 	if (!find_slowest_and_fastest_run(&w))
 		return;
-	say_effect_of_millimetres(r, &w);
-	say_effect_of_literal_appearance(r, &w);
-	say_effect_of_printed_eq5_minus(r, &w);
+	note_effect_of_millimetres(r, &w);
+	note_effect_of_literal_appearance(r, &w);
+	note_effect_of_printed_eq5_minus(r, &w);
 }
 
 /* Returns equation i as the site's answers use it.  The caller frees it. */
 static char *
-equation_as_used(const struct session *s, size_t i)
+equation_text_as_used(const struct session *s, size_t i)
 {
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -324,26 +325,26 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	struct answer *r =
 	    s->n_entry > 0
-		? answer_about_site(s->entry[s->current].site, "show",
+		? answer_new_about_site(s->entry[s->current].site, "show",
 		      "the equations, as printed and as used")
 		: answer_new("show");
-	answer_columns(r, "equation, as: , formula");
+	answer_add_columns(r, "equation, as: , formula");
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++) {
 		answer_add_cells(r, "%s %s %s", EQUATIONS[i].equation,
 		    tr("printed"), EQUATIONS[i].printed);
-		FREED char *used = equation_as_used(s, i);
+		FREED char *used = equation_text_as_used(s, i);
 		answer_add_cells(r, "%s %s %s", "", tr("used"), used);
 	}
 	answer_begin_table_for_programs(r);
-	answer_columns(r, "equation, printed, used");
+	answer_add_columns(r, "equation, printed, used");
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++) {
-		FREED char *used = equation_as_used(s, i);
+		FREED char *used = equation_text_as_used(s, i);
 		answer_add_cells(r, "%s %s %s", EQUATIONS[i].equation,
 		    EQUATIONS[i].printed, used);
 	}
-	answer_put_rows_as_objects(r, "equations");
-	fields_put_values(answer_fields(r), "what %s", "equations");
-	say_departure_effects(r, s);
+	answer_add_rows_as_json_objects(r, "equations");
+	fields_put_values(answer_json_fields(r), "what %s", "equations");
+	note_effects_of_paper_departures(r, s);
 	answer_note(r, "'man model' lists the departures D1, D2 ..");
 	return session_show_answer(s, r);
 }

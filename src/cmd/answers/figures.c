@@ -25,21 +25,21 @@ static void
 add_quantity_rows(struct answer *r, struct fields *list, struct forecast *all,
     const struct quantity *q, size_t n, double speed, bool model)
 {
-	bool band = n > 0 && forecast_draws(all, 0) != NULL;
-	answer_columns(r, "quantity: figure, value, unit");
+	bool band = n > 0 && forecast_draws_of_quantity(all, 0) != NULL;
+	answer_add_columns(r, "quantity: figure, value, unit");
 	if (band)
-		answer_columns(r, "low, high");
+		answer_add_columns(r, "low, high");
 	if (band && model)
-		answer_column(r, "model", "model");
+		answer_add_column(r, "model", "model");
 	if (model)
-		answer_column(r, "speed", "m/s");
+		answer_add_column(r, "speed", "m/s");
 	for (size_t i = 0; i < n; i++) {
 		struct figure f = forecast_value_in_shown_unit(all, i);
 		int decimals = quantities_decimals(&q[i]);
 		const char *unit = quantities_unit(&q[i]);
 		FREED char *words = quantities_name(&q[i]);
 		FREED char *key = quantities_field_name(&q[i]);
-		answer_name(r, key, words);
+		answer_add_keyed_cell(r, key, words);
 		answer_add_cells(r, "%.*f %s", decimals, f.value, unit);
 		if (band)
 			answer_add_cells(
@@ -64,8 +64,8 @@ note_ranges_of_new_cut(struct answer *r, const struct session *s,
 {
 	struct forecast *f = forecast_open(s, question, q, n);
 	FREED char *list = xstrdup("");
-	FREED char *chance = predict_probability_words(question->level);
-	forecast_set_speed_and_draws(f, question->speed, ENSEMBLE_SAMPLE);
+	FREED char *chance = predict_probability_text(question->level);
+	forecast_set_speed_and_ensemble(f, question->speed, ENSEMBLE_SAMPLE);
 	for (size_t i = 0; i < n; i++) {
 		struct figure sample = forecast_value_in_shown_unit(f, i);
 		int decimals = quantities_decimals(&q[i]);
@@ -96,26 +96,26 @@ cmd_figures(struct session *s, const struct args *args,
 		return false;
 	struct forecast *all = forecast_open(s, question, q, n);
 	forecast_set_speed(all, v);
-	session_keep_last_asked(s, v, named ? &q[0] : NULL);
-	bool band = n > 0 && forecast_draws(all, 0) != NULL;
+	session_set_last_question(s, v, named ? &q[0] : NULL);
+	bool band = n > 0 && forecast_draws_of_quantity(all, 0) != NULL;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
-	struct answer *r = answer_about_site(entry->site, "figures",
+	struct answer *r = answer_new_about_site(entry->site, "figures",
 	    "figures of the product at %g m/s%s", v, rpm);
-	fields_put_values(answer_fields(r), "speed %g extrapolated %d", v,
+	fields_put_values(answer_json_fields(r), "speed %g extrapolated %d", v,
 	    answers_is_speed_extrapolated(entry, v));
-	add_quantity_rows(r, fields_add_list(answer_fields(r), "figures"), all,
-	    q, n, v, false);
+	add_quantity_rows(r, fields_add_list(answer_json_fields(r), "figures"),
+	    all, q, n, v, false);
 	answer_begin_table_for_programs(r);
 	add_quantity_rows(r, NULL, all, q, n, v, true);
 	FREED char *sure =
-	    named && n == 1 ? predict_certainty_words(s, question, q, v) : NULL;
+	    named && n == 1 ? predict_certainty_text(s, question, q, v) : NULL;
 	if (named && n > 1)
 		note_ranges_of_new_cut(r, s, question, q, n);
 	if (sure != NULL) {
 		answer_note(r, "%s", sure);
-		band = predict_should_say_correction(s, entry);
+		band = predict_should_note_correction(s, entry);
 	}
-	answers_show_basis_at_speed(s, r, question, v, band);
+	answers_note_basis_and_trust_at_speed(s, r, question, v, band);
 	forecast_close(all);
 	return session_show_answer(s, r);
 }

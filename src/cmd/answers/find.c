@@ -129,7 +129,7 @@ check_single_goal(const struct args *args, const struct find_request *goal,
 		    "at this size");
 	else
 		return true;
-	return error_hint(error,
+	return error_set_hint(error,
 	    "write 'find p80=5', 'find \"passing 2 = 45\" \"passing 0.063 < "
 	    "6\"' or 'find spec=NAME'");
 }
@@ -137,7 +137,7 @@ check_single_goal(const struct args *args, const struct find_request *goal,
 /* Takes the goal and the conditions from the session's goal, which must contain
  * a single value. */
 static bool
-take_session_goal_value(
+parse_session_goal_value(
     struct session *s, struct find_request *goal, struct error *error)
 {
 	struct condition_list all = {0};
@@ -172,7 +172,7 @@ parse_goal(struct session *s, const struct args *args,
 			return conditions_set_error_place(args, i, error);
 	bool named = goal->n > 0 || args->n_operand > 0;
 	if (!named && goals_is_set(s) &&
-	    !take_session_goal_value(s, goal, error))
+	    !parse_session_goal_value(s, goal, error))
 		return false;
 	if (!check_single_goal(args, goal, error) ||
 	    !conditions_check_feed_covers(&goal->target, feed, error))
@@ -186,7 +186,7 @@ parse_goal(struct session *s, const struct args *args,
 
 /* Returns a value of the target in the unit that people see. */
 static double
-target_in_shown_unit(const struct find_request *goal, double value)
+goal_value_in_shown_unit(const struct find_request *goal, double value)
 {
 	return quantities_value_in_shown_unit(&goal->target.quantity, value);
 }
@@ -212,7 +212,7 @@ goal_text(const struct find_request *goal)
 			name);
 	else if (q->kind == QUANTITY_PASSING)
 		words = xasprintf("%g %% %s",
-		    target_in_shown_unit(goal, goal->target.least), name);
+		    goal_value_in_shown_unit(goal, goal->target.least), name);
 	else
 		words = conditions_one_text(&goal->target);
 	free(name);
@@ -245,9 +245,9 @@ put_goal_fields(struct fields *o, const struct find_request *goal)
 	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
 	    "value_to %g speed %g",
 	    wanted,
-	    value ? target_in_shown_unit(goal, goal->target.least)
+	    value ? goal_value_in_shown_unit(goal, goal->target.least)
 		  : target_value_at_speed(goal, speed),
-	    q->kind == QUANTITY_PASSING ? units_mm(q->x) : NAN,
+	    q->kind == QUANTITY_PASSING ? units_m_to_mm(q->x) : NAN,
 	    goal->wanted.from, goal->wanted.to,
 	    target_value_at_speed(goal, goal->wanted.from),
 	    target_value_at_speed(goal, goal->wanted.to), speed);
@@ -285,7 +285,7 @@ speed_range_text(const struct find_request *goal, const double range[2])
  * INFINITY if it lies below or above the speeds searched, and NAN if that
  * feed's curves do not reach the quantity. */
 static double
-find_speed_with_feed_of_run(
+find_goal_speed_with_feed_of_run(
     const struct session *s, const struct find_request *goal, size_t run)
 {
 	const double close = 1e-6;
@@ -331,11 +331,11 @@ note_speed_range_over_feeds(
 	for (size_t run = 0; run < site->n_run; run++) {
 		if (site->run[run].lacks_feed)
 			continue;
-		double v = find_speed_with_feed_of_run(s, goal, run);
+		double v = find_goal_speed_with_feed_of_run(s, goal, run);
 		range[0] = fmin(range[0], v);
 		range[1] = fmax(range[1], v);
 	}
-	fields_put_values(answer_fields(r), "feeds_low %g feeds_high %g",
+	fields_put_values(answer_json_fields(r), "feeds_low %g feeds_high %g",
 	    finite_speed_or_nan(range[0]), finite_speed_or_nan(range[1]));
 	if (range[1] - range[0] < tells || !goal->detail)
 		return;
@@ -417,7 +417,7 @@ note_speeds_beyond_sieves(struct answer *r, const struct find_request *goal)
 	    rotor_speed_rpm_text(goal->wanted.entry->site->rotor, from, to);
 	bool small = goal->target.quantity.kind == QUANTITY_SIZE;
 	if (!isnan(from) && !(small && goal->kind == GOAL_MOST))
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "from %.1f to %.1f m/s%s %s is beyond the sieves: these "
 		    "speeds are left out",
 		    from, to, rpm, name);
@@ -426,7 +426,7 @@ note_speeds_beyond_sieves(struct answer *r, const struct find_request *goal)
 /* Notes the extreme value and what limits it: a condition, or the end of the
  * speeds searched. */
 static void
-note_extreme_value(struct answer *r, const struct find_request *goal)
+note_largest_or_least_value(struct answer *r, const struct find_request *goal)
 {
 	const double near = 1e-3;
 	const struct speed_search *f = goal->search;
@@ -462,10 +462,11 @@ note_extreme_value(struct answer *r, const struct find_request *goal)
  * bands.  At the speed where a limit is just met, they hold with a probability
  * of only a half. */
 static void
-note_best_certain_speed(struct answer *r, const struct find_request *goal)
+note_best_speed_with_certainty(
+    struct answer *r, const struct find_request *goal)
 {
 	double level = 100 * goal->wanted.level;
-	double v = speed_search_speed_of_extreme(
+	double v = speed_search_speed_of_max_or_min(
 	    goal->search, goal->kind == GOAL_MOST, true);
 	if (isnan(v)) {
 		answer_note(r,
@@ -502,14 +503,16 @@ note_verdict_on_condition(
 /* Notes whether each condition holds at the speed found, and with what
  * certainty they all do. */
 static void
-note_verdict_on_all(struct answer *r, const struct find_request *goal)
+note_verdict_on_all_conditions(
+    struct answer *r, const struct find_request *goal)
 {
 	double v = goal->speed;
 	forecast_set_speed(goal->wanted.forecast, v);
 	for (size_t i = 0; i < goal->wanted.n; i++)
 		note_verdict_on_condition(r, goal, i);
 	double certain = conditions_probability(&goal->wanted);
-	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
+	fields_put_number(
+	    answer_json_fields(r), "certainty_pct", 100 * certain);
 	if (isnan(certain))
 		return;
 	FREED char *words = conditions_probability_text(certain);
@@ -521,7 +524,7 @@ note_verdict_on_all(struct answer *r, const struct find_request *goal)
 		: N_("at %.2f m/s%s this condition holds with %s certainty"),
 	    v, rpm, words);
 	if (goal->kind != GOAL_VALUE && certain < goal->wanted.level)
-		note_best_certain_speed(r, goal);
+		note_best_speed_with_certainty(r, goal);
 }
 
 /* For a search that found nothing, returns the speed that comes nearest: the
@@ -531,7 +534,7 @@ static double
 speed_nearest_to_goal(const struct find_request *goal)
 {
 	const struct conditions_search *w = &goal->wanted;
-	double wanted = target_in_shown_unit(goal, goal->target.least);
+	double wanted = goal_value_in_shown_unit(goal, goal->target.least);
 	if (goal->kind != GOAL_VALUE)
 		return goal->search->best;
 	return fabs(target_value_at_speed(goal, w->to) - wanted) <
@@ -600,7 +603,7 @@ note_goal_unattainable(
 }
 
 static void
-note_search_result(struct answer *r, const struct session *s,
+note_find_result(struct answer *r, const struct session *s,
     const struct find_request *goal, const char *words)
 {
 	bool found = !isnan(goal->speed);
@@ -613,16 +616,16 @@ note_search_result(struct answer *r, const struct session *s,
 		note_value_at_nearest_measured(r, goal, goal->speed);
 		note_speed_range_over_feeds(r, s, goal);
 	} else {
-		note_extreme_value(r, goal);
+		note_largest_or_least_value(r, goal);
 		note_value_at_nearest_measured(r, goal, goal->speed);
 	}
 	if (found && goal->wanted.n > 0)
-		note_verdict_on_all(r, goal);
+		note_verdict_on_all_conditions(r, goal);
 	conditions_note_source_of_limits(r, &goal->others);
 }
 
 static void
-put_search_fields(struct fields *o, const struct find_request *goal)
+put_goal_search_fields(struct fields *o, const struct find_request *goal)
 {
 	double v = goal->speed;
 	put_goal_fields(o, goal);
@@ -630,7 +633,7 @@ put_search_fields(struct fields *o, const struct find_request *goal)
 		return;
 	forecast_set_speed(
 	    goal->wanted.forecast, isnan(v) ? goal->search->best : v);
-	conditions_put_list(o, &goal->wanted, goal->search);
+	conditions_put_fields(o, &goal->wanted, goal->search);
 	fields_put_values(o, "holds %d",
 	    !isnan(v) && conditions_are_met(&goal->wanted, SIZE_MAX));
 }
@@ -638,15 +641,17 @@ put_search_fields(struct fields *o, const struct find_request *goal)
 /* Shows the basis and the light of the speed found or, if there is none, of the
  * nearest speed, which is then named.  Returns that speed, for 'why'. */
 static double
-show_basis_at_speed_found(
+note_basis_and_trust_at_found_speed(
     struct session *s, struct answer *r, const struct find_request *goal)
 {
 	const struct question *q = goal->question;
 	bool found = !isnan(goal->speed);
 	double shown = found ? goal->speed : speed_nearest_to_goal(goal);
 	struct trust light = trust_at_speed(s, q->entry, shown, q->feed);
-	answers_note_basis_no_light(s, r, q, found ? shown : 0, NULL, &light);
-	trust_show_with_speed(r, q->entry->site, found ? 0 : shown, light);
+	answers_note_basis_without_trust(
+	    s, r, q, found ? shown : 0, NULL, &light);
+	trust_add_to_answer_at_speed(
+	    r, q->entry->site, found ? 0 : shown, light);
 	return shown;
 }
 
@@ -658,12 +663,12 @@ begin_find_answer(
 {
 	const struct site *site = goal->question->entry->site;
 	if (found)
-		return answer_about_site(
+		return answer_new_about_site(
 		    site, "find", "the speed for %s", words);
 	if (goal->kind == GOAL_VALUE)
-		return answer_about_site(site, "find",
+		return answer_new_about_site(site, "find",
 		    "no speed gives %s; at the ends searched", words);
-	return answer_about_site(site, "find",
+	return answer_new_about_site(site, "find",
 	    goal->others.n > 1
 		? N_("no speed meets the conditions; at the ends searched")
 		: N_("no speed meets the condition; at the ends searched"));
@@ -672,8 +677,8 @@ begin_find_answer(
 /* Says which product the table has where that may be another than the goal's:
  * that of cut=, or the whole product. */
 static void
-note_product_of_table(struct answer *r, const struct find_request *goal,
-    const struct prediction *p, bool found)
+note_which_product_table_shows(struct answer *r,
+    const struct find_request *goal, const struct prediction *p, bool found)
 {
 	FREED char *cut = quantities_fraction_text(&p->fraction);
 	if (fraction_is_screened(&p->fraction))
@@ -681,7 +686,7 @@ note_product_of_table(struct answer *r, const struct find_request *goal,
 	else if (fraction_is_screened(&goal->target.quantity.fraction))
 		answer_note(r, "the table is of the whole product");
 	if (fraction_is_screened(&p->fraction))
-		fields_put_values(answer_fields(r), "fraction %s", cut);
+		fields_put_values(answer_json_fields(r), "fraction %s", cut);
 	if (found)
 		screened_note_share(r, p);
 }
@@ -700,24 +705,25 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
 		p[i] = forecast_product(s, q, speed[i]);
-	session_forget_answers(s);
+	session_remove_answers(s);
 	FREED char *words = goal_text(goal);
 	struct answer *r = begin_find_answer(goal, found, words);
 	answers_add_row_per_prediction(r, entry, p, n);
-	note_search_result(r, s, goal, words);
-	note_product_of_table(r, goal, &p[0], found);
+	note_find_result(r, s, goal, words);
+	note_which_product_table_shows(r, goal, &p[0], found);
 	if (found && goal->detail)
-		answers_note_sizes(r, &p[0]);
-	double shown = show_basis_at_speed_found(s, r, goal);
-	put_search_fields(answer_fields(r), goal);
+		answers_note_p_sizes(r, &p[0]);
+	double shown = note_basis_and_trust_at_found_speed(s, r, goal);
+	put_goal_search_fields(answer_json_fields(r), goal);
 	answer_repeat_fields_in_rows(r,
 	    "fraction wanted value at_mm found found_speed speed_low "
 	    "speed_high certainty_pct");
-	answers_put_products(s, answer_fields(r), entry, p, n);
+	answers_put_products(s, answer_json_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)
-		answers_keep_newest_prediction(s, entry, &entry->params, &p[0]);
-	session_keep_last_asked(s, shown, &goal->target.quantity);
+		answers_store_newest_prediction(
+		    s, entry, &entry->params, &p[0]);
+	session_set_last_question(s, shown, &goal->target.quantity);
 	s->last_asked.found_by = "find";
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
@@ -737,7 +743,7 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
 		bool all =
 		    goal->detail || w->n_inside > 1 || !isfinite(w->sure[0]);
 		FREED char *speeds =
-		    conditions_met_speeds_with_units(&g->conditions, w);
+		    conditions_met_speeds_text_with_units(&g->conditions, w);
 		if (all)
 			answer_note(r, "meets the envelope at %s", speeds);
 		return;
@@ -760,35 +766,35 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	const struct spec *spec = envelope_find(s, args->spec, error);
 	struct grading g;
 	if (spec == NULL ||
-	    !envelope_open(s, args, spec, goal->question, &g, error))
+	    !envelope_open_grading(s, args, spec, goal->question, &g, error))
 		return false;
 	g.conditions.from = goal->wanted.from;
 	g.conditions.to = goal->wanted.to;
 	struct speed_search *w = speed_search_run(&g.conditions);
 	const struct speed_range *in = speed_search_best_range(w);
 	double v = w->best;
-	FREED char *words = envelope_title(&g);
+	FREED char *words = envelope_title_text(&g);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
-	struct answer *r = answer_about_site(
+	struct answer *r = answer_new_about_site(
 	    entry->site, "find", "%s at %g m/s%s", words, v, rpm);
-	envelope_add_rows(r, &g, v);
+	envelope_add_sieve_rows(r, &g, v);
 	conditions_note_best_speed(r, &g.conditions, true, goal->detail, w);
 	note_speeds_meeting_envelope(r, goal, &g, w);
-	if (forecast_draws(g.conditions.forecast, 0) != NULL)
-		answers_put_low_high(
-		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
+	if (forecast_draws_of_quantity(g.conditions.forecast, 0) != NULL)
+		answers_put_low_high_field(
+		    answer_json_fields(r), "certain", w->sure[0], w->sure[1]);
 	envelope_add_notes(r, &g);
-	conditions_show_basis(r, goal->question, &g.conditions, w, v);
-	session_keep_last_asked(s, v, NULL);
+	conditions_note_basis_and_trust(r, goal->question, &g.conditions, w, v);
+	session_set_last_question(s, v, NULL);
 	s->last_asked.found_by = "find";
-	fields_put_values(answer_fields(r),
+	fields_put_values(answer_json_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",
 	    "spec", goal->wanted.from, goal->wanted.to, in != NULL,
 	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v, w->best);
-	envelope_put_worst_sieve(answer_fields(r), &g);
+	envelope_put_worst_sieve(answer_json_fields(r), &g);
 	envelope_put_fields(r, &g);
-	session_forget_answers(s);
+	session_remove_answers(s);
 	session_show_answer(s, r);
 	speed_search_free(w);
 	envelope_close(&g);
@@ -806,7 +812,7 @@ find_goal_speed(const struct session *s, struct find_request *goal)
 	goal->search = speed_search_run(&goal->wanted);
 	goal->speed = goal->kind == GOAL_VALUE
 			  ? goal->search->found
-			  : speed_search_speed_of_extreme(
+			  : speed_search_speed_of_max_or_min(
 				goal->search, goal->kind == GOAL_MOST, false);
 }
 
@@ -816,7 +822,7 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
 {
 	struct find_request goal = {
 	    .kind = GOAL_VALUE, .question = q, .detail = args->detail};
-	if (!conditions_speed_range_of_args(s, args, q->entry->site,
+	if (!conditions_parse_search_range(s, args, q->entry->site,
 		&goal.wanted.from, &goal.wanted.to, error))
 		return false;
 	parse_goal_options(args, &q->fraction, &goal);

@@ -46,7 +46,7 @@ guess_sources_free(struct guess_sources *b)
 }
 
 static bool
-load_guess_materials(
+load_materials_for_guess(
     struct guess_sources *b, struct store *store, struct error *error)
 {
 	struct store_query query = {0};
@@ -54,11 +54,11 @@ load_guess_materials(
 		return false;
 	if (b->own > MOST_OWN)
 		query = (struct store_query){.rock = b->wanted.rock,
-		    .top = units_mm(b->wanted.top_size),
+		    .top = units_m_to_mm(b->wanted.top_size),
 		    .most = MOST_OWN};
 	if (!store_find_materials(store, &query, &b->list, error))
 		return false;
-	material_add_table3(&b->list);
+	material_add_table3_to_list(&b->list);
 	return true;
 }
 
@@ -75,7 +75,7 @@ prepare_guess_materials(struct guess_sources *b)
 		b->m[i] = (struct guess_material){m->site, m->rock,
 		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
 		    material_model_settings(m), material_is_table3(m)};
-		b->leave_out[i] = text_same_folded(m->site, b->wanted.site);
+		b->leave_out[i] = text_is_same_folded(m->site, b->wanted.site);
 	}
 	while (!material_is_table3(&b->list.item[b->table3]))
 		b->table3++;
@@ -91,9 +91,10 @@ pick_nearest_materials(struct guess_sources *b, uint64_t nearest, double speed)
 	const struct guess_material *table = b->m + b->table3;
 	if (nearest > 0) {
 		most = nearest < n ? (size_t)nearest : n;
-		b->error = guess_leave_one_out(table, n_table, most, speed);
+		b->error =
+		    guess_leave_one_out_error(table, n_table, most, speed);
 	} else {
-		b->choice = guess_choose_nearest_count(table, n_table, speed);
+		b->choice = guess_choose_neighbour_count(table, n_table, speed);
 		b->error = b->choice.helps ? b->choice.few : b->choice.all;
 		most = b->choice.helps ? b->error.nearest : n;
 	}
@@ -132,12 +133,12 @@ put_picked_materials(struct fields *o, const struct guess_sources *b)
 		    "provenance %s train_mps %s",
 		    m->name, m->site, m->rock, m->top_size_mm, m->origin,
 		    m->provenance, m->train_mps);
-		fit_put_params(one, &m->params);
+		fit_put_params_in_json(one, &m->params);
 	}
 }
 
 static const char *
-name_of_worst_guess(const struct guess_sources *b)
+worst_guessed_material_name(const struct guess_sources *b)
 {
 	return b->list.item[b->table3 + b->error.worst_at].name;
 }
@@ -150,43 +151,46 @@ put_leave_one_out_error(struct fields *o, const struct guess_sources *b)
 	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
 	    "feed_rmse_pct %g held_pct %g",
 	    "reconstructed from Table 3", e->n, 100 * e->median, 100 * e->worst,
-	    name_of_worst_guess(b), 100 * e->feed, 100 * e->held);
+	    worst_guessed_material_name(b), 100 * e->feed, 100 * e->held);
 }
 
 static void
-put_guess_fields(
+put_guessed_product_fields(
     struct answer *r, const struct guess_sources *b, const struct guess *guess)
 {
-	struct fields *o = answer_fields(r);
+	struct fields *o = answer_json_fields(r);
 	double top = b->wanted.top_size;
 	fields_put_values(o, "calibrated %d rock %s top_size_mm %g speed %g",
-	    false, b->wanted.rock, top > 0 ? units_mm(top) : NAN, guess->speed);
-	answer_put_columns_as_lists(r, "sieve_mm passing_pct low_pct high_pct");
+	    false, b->wanted.rock, top > 0 ? units_m_to_mm(top) : NAN,
+	    guess->speed);
+	answer_add_columns_to_json_fields(
+	    r, "sieve_mm passing_pct low_pct high_pct");
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		const struct guess_range *range = &guess->size[i];
 		fields_put_number(o, ANSWERS_SIZE[i].key, 1000 * range->middle);
-		answers_put_low_high(o, ANSWERS_SIZE[i].range_key,
+		answers_put_low_high_field(o, ANSWERS_SIZE[i].range_key,
 		    1000 * range->low, 1000 * range->high);
 	}
 	put_picked_materials(o, b);
 }
 
 static struct answer *
-build_guess_answer(const struct site *site, const struct guess *guess)
+build_guessed_product_answer(const struct site *site, const struct guess *guess)
 {
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, guess->speed, NAN);
-	struct answer *r = answer_about_site(site, "guess",
+	struct answer *r = answer_new_about_site(site, "guess",
 	    "estimated product at %.*f m/s%s, not calibrated",
 	    units_speed_decimals(guess->speed), guess->speed, rpm);
-	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
-			  "guess %%, low_pct: low %%, high_pct: high %%");
+	answer_add_columns(r,
+	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
+	    "guess %%, low_pct: low %%, high_pct: high %%");
 	for (size_t i = 0; i < guess->median.n; i++)
 		answer_add_cells(r, "%g %.1f %.1f %.1f %.1f",
-		    units_mm(guess->median.size[i]),
-		    units_pct(guess->feed.passing[i]),
-		    units_pct(guess->median.passing[i]),
-		    units_pct(guess->low.passing[i]),
-		    units_pct(guess->high.passing[i]));
+		    units_m_to_mm(guess->median.size[i]),
+		    units_fraction_to_pct(guess->feed.passing[i]),
+		    units_fraction_to_pct(guess->median.passing[i]),
+		    units_fraction_to_pct(guess->low.passing[i]),
+		    units_fraction_to_pct(guess->high.passing[i]));
 	return r;
 }
 
@@ -206,10 +210,11 @@ size_range_text(const struct guess_range *range, const char *none)
 }
 
 static void
-note_guessed_sizes(struct answer *r, const struct guess *guess)
+note_guessed_product_sizes(struct answer *r, const struct guess *guess)
 {
 	const struct psd *psd = &guess->median;
-	FREED char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
+	FREED char *none =
+	    xasprintf("<%g", units_m_to_mm(psd->size[psd->n - 1]));
 	FREED char *sizes = xstrdup("");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		FREED char *words = size_range_text(&guess->size[i], none);
@@ -223,7 +228,7 @@ note_guessed_sizes(struct answer *r, const struct guess *guess)
 
 /* Lists the names of the materials that were picked or, if `left`, left out. */
 static char *
-list_material_names(const struct guess_sources *b, bool left)
+list_picked_material_names(const struct guess_sources *b, bool left)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
@@ -240,9 +245,9 @@ note_picked_materials(struct answer *r, const struct guess_sources *b)
 {
 	size_t same = 0;
 	for (size_t i = 0; i < b->n; i++)
-		same += text_same_folded(
+		same += text_is_same_folded(
 		    b->list.item[b->pick[i]].rock, b->wanted.rock);
-	FREED char *picked = list_material_names(b, false);
+	FREED char *picked = list_picked_material_names(b, false);
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
 		    r, "nearest by top size (no rock type stated): %s", picked);
@@ -262,9 +267,10 @@ note_unknown_rock(struct answer *r, const struct guess_sources *b)
 {
 	bool known = b->wanted.rock[0] == '\0';
 	for (size_t i = 0; i < b->list.n && !known; i++)
-		known = text_same_folded(b->list.item[i].rock, b->wanted.rock);
+		known =
+		    text_is_same_folded(b->list.item[i].rock, b->wanted.rock);
 	if (!known)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "no material is of the rock type '%s': 'materials' lists "
 		    "all types",
 		    b->wanted.rock);
@@ -275,7 +281,7 @@ note_choice_of_materials(struct answer *r, const struct guess_sources *b)
 {
 	const struct guess_choice *c = &b->choice;
 	if (c->all.n > 0 && !c->helps)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "rock type and top size carry no information here: by "
 		    "the error below no number of nearest materials does "
 		    "clearly better (the best, %zu: %.1f points) than all "
@@ -297,19 +303,19 @@ note_basis_of_guess(struct answer *r, const struct guess_sources *b)
 			"measured") == 0;
 	}
 	if (b->n > 1)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "estimated from other quarries, not calibrated: median "
 		    "and 80 %% band of the products with %zu materials",
 		    b->n);
 	else
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    open ? N_("estimated from one material of another quarry, "
 			      "not calibrated: the band does not cover rock of "
 			      "another strength")
 			 : N_("estimated from one material of another quarry, "
 			      "not calibrated: there is no band"));
 	if (open)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "Table 3 prints no beta, and rocks differ in the sizes of "
 		    "their progeny: each of its materials is taken with %d "
 		    "beta from coarse to fine",
@@ -317,29 +323,30 @@ note_basis_of_guess(struct answer *r, const struct guess_sources *b)
 	note_unknown_rock(r, b);
 	note_choice_of_materials(r, b);
 	if (b->table3 < b->own)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "of your own %zu materials the %zu nearest in rock and top "
 		    "size were used",
 		    b->own, b->table3);
 	if (!measured)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "some of these materials were not calibrated on measured "
 		    "data");
-	FREED char *left = list_material_names(b, true);
+	FREED char *left = list_picked_material_names(b, true);
 	if (left[0] != '\0')
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "left out because they are this site's own: %s", left);
 }
 
 /* Warns if the speed is outside the training speeds of one of the materials.
  * Materials that do not state them do not count. */
 static void
-warn_beyond_material_speeds(
+warn_if_beyond_material_speeds(
     struct answer *r, const struct guess_sources *b, double speed)
 {
 	double slowest = 0, fastest = INFINITY;
 	for (size_t i = 0; i < b->n; i++) {
-		struct origin *o = origin_from_store(&b->list.item[b->pick[i]]);
+		struct origin *o =
+		    origin_new_from_store(&b->list.item[b->pick[i]]);
 		double slow = INFINITY, fast = 0;
 		for (size_t k = 0; k < o->n_speed; k++) {
 			slow = fmin(slow, o->speed[k]);
@@ -352,9 +359,9 @@ warn_beyond_material_speeds(
 		origin_release(o);
 	}
 	bool beyond = speed < slowest - 1e-9 || speed > fastest + 1e-9;
-	fields_put_values(answer_fields(r), "extrapolated %d", beyond);
+	fields_put_values(answer_json_fields(r), "extrapolated %d", beyond);
 	if (beyond)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "%.*f m/s is outside the training speeds common to these "
 		    "materials, %g to %g m/s",
 		    units_speed_decimals(speed), speed, slowest, fastest);
@@ -363,24 +370,24 @@ warn_beyond_material_speeds(
 /* Notes the error of such guesses.  The band of a few materials is
  * systematically too narrow: see struct guess. */
 static void
-note_guess_error(struct answer *r, const struct guess_sources *b)
+note_leave_one_out_error(struct answer *r, const struct guess_sources *b)
 {
 	const struct guess_error *e = &b->error;
 	if (b->n > 1 && e->held < 0.7)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "the band of so few materials is too narrow: with one beta "
 		    "for all, it held %.0f %% of the passings of sites left "
 		    "out, instead of 80",
 		    100 * e->held);
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "leave-one-site-out RMSE (%zu materials of Table 3, one beta for "
 	    "all): median %.1f points, worst %.1f (%s); feed unchanged %.1f. "
 	    "These are reconstructed data on synthetic feeds without sampling "
 	    "error: with another beta expect 5 to 12 points",
-	    e->n, 100 * e->median, 100 * e->worst, name_of_worst_guess(b),
-	    100 * e->feed);
+	    e->n, 100 * e->median, 100 * e->worst,
+	    worst_guessed_material_name(b), 100 * e->feed);
 	if (b->n > 1 && isfinite(e->held))
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "with one beta for all, the band held %.0f %% of the "
 		    "passings of sites left out",
 		    100 * e->held);
@@ -390,7 +397,7 @@ note_guess_error(struct answer *r, const struct guess_sources *b)
  * 'recall' can use that material's parameters; the guess, a median of products,
  * has none. */
 static void
-note_best_material_at_cut(
+note_material_nearest_to_product(
     struct answer *r, const struct site *site, const struct guess_sources *b)
 {
 	if (site_count_products(site) != 1)
@@ -422,17 +429,17 @@ note_best_material_at_cut(
 }
 
 static void
-show_guess(struct session *s, const struct site *site,
+show_guessed_product(struct session *s, const struct site *site,
     const struct guess_sources *b, const struct guess *guess)
 {
-	struct answer *r = build_guess_answer(site, guess);
-	note_guessed_sizes(r, guess);
+	struct answer *r = build_guessed_product_answer(site, guess);
+	note_guessed_product_sizes(r, guess);
 	note_basis_of_guess(r, b);
-	note_best_material_at_cut(r, site, b);
-	warn_beyond_material_speeds(r, b, guess->speed);
-	note_guess_error(r, b);
-	put_guess_fields(r, b, guess);
-	put_leave_one_out_error(answer_fields(r), b);
+	note_material_nearest_to_product(r, site, b);
+	warn_if_beyond_material_speeds(r, b, guess->speed);
+	note_leave_one_out_error(r, b);
+	put_guessed_product_fields(r, b, guess);
+	put_leave_one_out_error(answer_json_fields(r), b);
 	session_show_answer(s, r);
 }
 
@@ -444,13 +451,13 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
 	struct guess_sources b = {.n = 0};
 	question_use_last_speed(s, q);
 	bool ok = parse_wanted_material(site, args, &b.wanted, error) &&
-		  load_guess_materials(&b, s->store, error);
+		  load_materials_for_guess(&b, s->store, error);
 	if (ok) {
 		prepare_guess_materials(&b);
 		pick_nearest_materials(&b, args->nearest, q->speed);
-		struct guess guess =
-		    guess_product(site, q->feed, b.m, b.pick, b.n, q->speed);
-		show_guess(s, site, &b, &guess);
+		struct guess guess = guess_psd_from_materials(
+		    site, q->feed, b.m, b.pick, b.n, q->speed);
+		show_guessed_product(s, site, &b, &guess);
 		guess_free(&guess);
 	}
 	guess_sources_free(&b);

@@ -56,7 +56,7 @@ find_measured_speeds(struct findings *f, const struct site *site)
 }
 
 static struct findings
-find_what_data_determine(const struct posterior *p, const struct site *site)
+compute_identifiability(const struct posterior *p, const struct site *site)
 {
 	struct findings f = {.p = p,
 	    .of = BREAKAGES[p->settings.breakage],
@@ -75,7 +75,7 @@ find_what_data_determine(const struct posterior *p, const struct site *site)
 }
 
 static bool
-is_break_size_sharp(const struct findings *f, size_t i)
+is_break_size_precise(const struct findings *f, size_t i)
 {
 	return f->at[i].sd <= SHARP * f->at[i].mean;
 }
@@ -84,19 +84,20 @@ static void
 add_identifiability_rows(
     struct answer *r, const struct findings *f, const struct site *site)
 {
-	answer_columns(
+	answer_add_columns(
 	    r, "what: , mean, sd, share_pct: %% of prior, unit, grade: ");
 	for (size_t i = 0; i < f->n_speed; i++) {
 		FREED char *key =
 		    xasprintf(tr("break size, %g m/s"), f->speed[i]);
 		FREED char *speed = answers_speed_text(site, f->speed[i], -1);
 		FREED char *head = xasprintf(tr("break size, %s"), speed);
-		answer_name(r, key, head);
+		answer_add_keyed_cell(r, key, head);
 		answer_add_cells(r, "%.3f %.3f %.0f %s", 1000 * f->at[i].mean,
 		    1000 * f->at[i].sd, NAN, "mm");
-		answer_text(r, f->open ? N_("bounded from above")
-			       : is_break_size_sharp(f, i) ? N_("determined")
-							   : N_("poorly"));
+		answer_add_text_cell(r, f->open ? N_("bounded from above")
+					: is_break_size_precise(f, i)
+					    ? N_("determined")
+					    : N_("poorly"));
 	}
 	for (size_t j = 0; j < f->of->n; j++) {
 		const struct identify_param *a = &f->param[j];
@@ -105,7 +106,7 @@ add_identifiability_rows(
 		answer_add_cells(r, "%s %.3f %.3f %.0f %s",
 		    f->of->parameter[j].name, a->mean, a->sd, 100 * a->ratio,
 		    f->of->parameter[j].unit);
-		answer_text(r,
+		answer_add_text_cell(r,
 		    a->bound < 0   ? N_("%s, low bound")
 		    : a->bound > 0 ? N_("%s, high bound")
 				   : "%s",
@@ -125,8 +126,9 @@ find_correlated_pairs(const struct findings *f, size_t pair[RIDGES][2])
 		bool found = false;
 		for (size_t i = 0; i < f->of->n; i++)
 			for (size_t j = i + 1; j < f->of->n; j++) {
-				double r = fabs(identify_stronger_correlation(
-				    identify_correlate_params(f->p, i, j)));
+				double r =
+				    fabs(identify_larger_of_rank_or_linear(
+					identify_correlate_params(f->p, i, j)));
 				if (!(r > most && r < last))
 					continue;
 				most = r;
@@ -143,16 +145,16 @@ find_correlated_pairs(const struct findings *f, size_t pair[RIDGES][2])
 }
 
 static void
-say_correlated_pairs(struct answer *r, const struct findings *f)
+note_correlated_param_pairs(struct answer *r, const struct findings *f)
 {
 	size_t pair[RIDGES][2], n = find_correlated_pairs(f, pair);
-	struct fields *list = fields_add_list(answer_fields(r), "ridges");
+	struct fields *list = fields_add_list(answer_json_fields(r), "ridges");
 	for (size_t k = 0; k < n; k++) {
 		struct identify_pair c =
 		    identify_correlate_params(f->p, pair[k][0], pair[k][1]);
 		const char *a = f->of->parameter[pair[k][0]].name;
 		const char *b = f->of->parameter[pair[k][1]].name;
-		double most = identify_stronger_correlation(c);
+		double most = identify_larger_of_rank_or_linear(c);
 		fields_put_values(fields_add_object(list, NULL),
 		    "a %s b %s linear %g rank %g", a, b, c.linear, c.rank);
 		answer_note(r,
@@ -175,9 +177,9 @@ append_break_sizes(char **text, const struct findings *f, bool sharp)
 		   *rpm = xstrdup("");
 	size_t n = 0, left = 0;
 	for (size_t i = 0; i < f->n_speed; i++)
-		left += is_break_size_sharp(f, i) == sharp;
+		left += is_break_size_precise(f, i) == sharp;
 	for (size_t i = 0; i < f->n_speed; i++) {
-		if (is_break_size_sharp(f, i) != sharp)
+		if (is_break_size_precise(f, i) != sharp)
 			continue;
 		const char *between = ++n == left ? tr(" and ") : ", ";
 		xappend_to_list(&speeds, between, "%g", f->speed[i]);
@@ -190,7 +192,7 @@ append_break_sizes(char **text, const struct findings *f, bool sharp)
 			       &f->p->fit, &f->p->settings, f->speed[i]));
 	}
 	if (f->rotor > 0)
-		xreplace(&rpm, xasprintf(tr(" (%s rpm)"), turns));
+		xfree_and_set(&rpm, xasprintf(tr(" (%s rpm)"), turns));
 	if (left > 0)
 		xappend_to_list(text, "; ",
 		    sharp ? tr("the data fix the break size at %s m/s%s: %s mm "
@@ -201,7 +203,7 @@ append_break_sizes(char **text, const struct findings *f, bool sharp)
 }
 
 static void
-append_parameter_names(
+append_params_by_identifiability(
     char **text, const struct findings *f, enum identify_grade grade)
 {
 	FREED char *names = xstrdup("");
@@ -240,9 +242,9 @@ identifiability_summary_text(const struct findings *f)
 		append_break_sizes(&text, f, true);
 		append_break_sizes(&text, f, false);
 	}
-	append_parameter_names(&text, f, IDENTIFY_DETERMINED);
-	append_parameter_names(&text, f, IDENTIFY_POORLY);
-	append_parameter_names(&text, f, IDENTIFY_NOT);
+	append_params_by_identifiability(&text, f, IDENTIFY_DETERMINED);
+	append_params_by_identifiability(&text, f, IDENTIFY_POORLY);
+	append_params_by_identifiability(&text, f, IDENTIFY_NOT);
 	return text;
 }
 
@@ -277,30 +279,30 @@ bool
 cmd_identify(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	if (!answers_require_params_of_current(s, error))
+	if (!answers_require_params_current_site(s, error))
 		return false;
-	const struct entry *entry = session_current_entry(s);
-	const struct posterior *p = posterior_for_comparison(s, entry);
+	const struct entry *entry = session_current_site_entry(s);
+	const struct posterior *p = posterior_even_if_correction_off(s, entry);
 	if (p == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "there are no draws to judge the parameters by (%s)\nrun "
 		    "'calibrate' first",
 		    band_why_missing(s, entry));
-	struct findings f = find_what_data_determine(p, entry->site);
-	struct answer *r = answer_about_site(
+	struct findings f = compute_identifiability(p, entry->site);
+	struct answer *r = answer_new_about_site(
 	    entry->site, "identify", "what the data determine");
 	FREED char *text = identifiability_summary_text(&f);
 	add_identifiability_rows(r, &f, entry->site);
-	put_identifiability_fields(answer_fields(r), &f, text);
-	say_correlated_pairs(r, &f);
+	put_identifiability_fields(answer_json_fields(r), &f, text);
+	note_correlated_param_pairs(r, &f);
 	FREED char *rpm = rotor_speed_rpm_text(f.rotor, f.speed[0], NAN);
 	if (f.open)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "the threshold is bounded from above only: at %g m/s%s the "
 		    "break size is at most %.2f mm in 90 %% of the draws, "
 		    "below the finest sieve (%g mm) in %.0f %%",
-		    f.speed[0], rpm, 1000 * f.at[0].high, units_mm(f.finest),
-		    100 * f.at[0].below);
+		    f.speed[0], rpm, 1000 * f.at[0].high,
+		    units_m_to_mm(f.finest), 100 * f.at[0].below);
 	if (entry->params.breakage == 0 && s->set.model.impacts.n == 0)
 		answer_note(r,
 		    "at 52 to 77 of 100 synthetic plants that follow Eqs 1 to "

@@ -48,7 +48,7 @@ note_breaking_sizes(
 			     "%.3g mm or more would, and the feed has none "
 			     "above %g mm: feed unchanged"),
 		    units_speed_decimals(p->speed), p->speed, rpm,
-		    1000 * p->break_size, units_mm(top));
+		    1000 * p->break_size, units_m_to_mm(top));
 	else if (params_value_by_name(q->params, "e0_min") <= 0)
 		answer_note(r,
 		    "all sizes can break (e0_min is 0: no threshold); %.1f %% "
@@ -90,9 +90,9 @@ note_sieves_missing_in_feed(
 		if (p->feed.size[i] < feed->size[0] &&
 		    isnan(psd_passing_at_sieve(feed, p->feed.size[i])))
 			xappend_to_list(
-			    &list, ", ", "%g", units_mm(p->feed.size[i]));
+			    &list, ", ", "%g", units_m_to_mm(p->feed.size[i]));
 	if (list[0] != '\0')
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "the feed was not sieved at %s mm: its passing there is "
 		    "interpolated",
 		    list);
@@ -103,10 +103,11 @@ note_wide_sieve_gap_in_feed(struct answer *r, const struct psd *feed)
 {
 	size_t i = psd_sieve_above_widest_gap(feed);
 	if (i < feed->n)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "the feed has no sieve between %g and %g mm: passings and "
 		    "sizes there rest on a straight line",
-		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]));
+		    units_m_to_mm(feed->size[i]),
+		    units_m_to_mm(feed->size[i + 1]));
 }
 
 /* Returns the passing at each sieve of p, interpolated in speed squared between
@@ -122,8 +123,8 @@ interpolate_measured_products(const struct session *s, const struct question *q,
 	struct site *site = site_copy(q->entry->site);
 	for (size_t r = 0; r < site->n_run; r++) {
 		psd_free(&site->run[r].product);
-		site->run[r].product = psd_copy(
-		    product_moved_to_feed(s, q->entry, q->params, r, q->feed));
+		site->run[r].product = psd_copy(measured_product_moved_to_feed(
+		    s, q->entry, q->params, r, q->feed));
 	}
 	FREED bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
@@ -132,7 +133,7 @@ interpolate_measured_products(const struct session *s, const struct question *q,
 	if (!predict_is_extrapolation(site, measured, p->speed)) {
 		passing = xcalloc_doubles(p->product.n);
 		for (size_t i = 0; i < p->product.n; i++)
-			passing[i] = validate_interpolated_passing(
+			passing[i] = validate_interpolate_passing(
 			    site, measured, p->speed, p->product.size[i]);
 	}
 	site_free(site);
@@ -156,7 +157,8 @@ measured_products_at_speed(
 			       site->run[r].speed == site->run[first].speed;
 	     r++)
 		part[(*n)++] = screened_fraction_of_product(
-		    product_moved_to_feed(s, q->entry, q->params, r, q->feed),
+		    measured_product_moved_to_feed(
+			s, q->entry, q->params, r, q->feed),
 		    &q->fraction);
 	return part;
 }
@@ -167,7 +169,7 @@ static const double SHOWN_PASSING = 5e-4;
 /* True if at sieve i the answer, or the low end of its band, comes down to the
  * passing of the feed. */
 static bool
-is_limited_by_feed(
+is_passing_limited_by_feed(
     const struct question *q, const struct prediction *p, size_t i)
 {
 	double fed = psd_passing_at_sieve(question_feed(q), p->product.size[i]);
@@ -186,36 +188,42 @@ add_prediction_sieve_rows(struct answer *r, const struct session *s,
 	size_t n;
 	FREED struct psd *part = measured_products_at_speed(s, q, &n);
 	FREED double *feed = screened_feed_passings(p);
-	answer_columns(r,
+	answer_add_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
-		answer_columns(r, "low_pct: low %%, high_pct: high %%");
+		answer_add_columns(r, "low_pct: low %%, high_pct: high %%");
 	if (p->low != NULL && alone)
-		answer_columns(r, "model_pct: model alone %%");
+		answer_add_columns(r, "model_pct: model alone %%");
 	for (size_t k = 0; k < n; k++)
 		if (n == 1)
-			answer_columns(r, "measured_pct: measured %%");
+			answer_add_columns(r, "measured_pct: measured %%");
 		else
-			answer_columns(r, "measured_%zu_pct: measured (%zu) %%",
-			    k + 1, k + 1);
+			answer_add_columns(r,
+			    "measured_%zu_pct: measured (%zu) %%", k + 1,
+			    k + 1);
 	if (between != NULL)
-		answer_columns(r, "interpolated_pct: interpolated %%");
+		answer_add_columns(r, "interpolated_pct: interpolated %%");
 	if (model != NULL)
-		answer_columns(r, "speed, model");
+		answer_add_columns(r, "speed, model");
 	for (size_t i = 0; i < p->product.n; i++) {
 		double x = p->product.size[i];
-		answer_add_cells(r, "%g %.1f %.1f", units_mm(x),
-		    units_pct(feed[i]), units_pct(p->product.passing[i]));
+		answer_add_cells(r, "%g %.1f %.1f", units_m_to_mm(x),
+		    units_fraction_to_pct(feed[i]),
+		    units_fraction_to_pct(p->product.passing[i]));
 		if (p->low != NULL)
-			answer_add_cells(r, "%.1f %.1f", units_pct(p->low[i]),
-			    units_pct(p->high[i]));
+			answer_add_cells(r, "%.1f %.1f",
+			    units_fraction_to_pct(p->low[i]),
+			    units_fraction_to_pct(p->high[i]));
 		if (p->low != NULL && alone)
-			answer_add_cells(r, "%.1f", units_pct(p->model[i]));
+			answer_add_cells(
+			    r, "%.1f", units_fraction_to_pct(p->model[i]));
 		for (size_t k = 0; k < n; k++)
 			answer_add_cells(r, "%.1f",
-			    units_pct(psd_passing_at_sieve(&part[k], x)));
+			    units_fraction_to_pct(
+				psd_passing_at_sieve(&part[k], x)));
 		if (between != NULL)
-			answer_add_cells(r, "%.1f", units_pct(between[i]));
+			answer_add_cells(
+			    r, "%.1f", units_fraction_to_pct(between[i]));
 		if (model != NULL)
 			answer_add_cells(r, "%g %s", p->speed, model);
 	}
@@ -229,7 +237,7 @@ build_prediction_answer(const struct session *s, const struct question *q,
 {
 	const struct site *site = q->entry->site;
 	const char *model = breakage_model_of_params(q->params)->name;
-	FREED char *fraction = screened_title_suffix(&p->fraction);
+	FREED char *fraction = screened_fraction_title_suffix(&p->fraction);
 	FREED char *more =
 	    detail ? xasprintf(tr(" (%.0f J/kg)"), p->energy) : xstrdup("");
 	FREED char *band = !detail && p->low != NULL
@@ -237,7 +245,7 @@ build_prediction_answer(const struct session *s, const struct question *q,
 				     100 * settings_band_probability(&s->set))
 			       : xstrdup("");
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, p->speed, NAN);
-	struct answer *r = answer_about_site(site, "predict",
+	struct answer *r = answer_new_about_site(site, "predict",
 	    "product at %.*f m/s%s%s%s%s", units_speed_decimals(p->speed),
 	    p->speed, rpm, more, fraction, band);
 	/* In a table that is read aloud, the numbers of a sieve belong in one
@@ -252,25 +260,25 @@ build_prediction_answer(const struct session *s, const struct question *q,
 
 /* Notes how well parameters from elsewhere match the only product of a site. */
 static void
-note_fit_of_only_cut(
+note_match_of_only_product(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	size_t run;
 	if (session_is_calibrating(s) ||
 	    entry->site != entry_without_scenario(entry)->site ||
-	    !cut_is_only_check(entry, &run))
+	    !cut_is_only_product(entry, &run))
 		return;
 	struct cut cut = cut_compare_with_prediction(s, entry, run);
 	FREED char *words = cut_comparison_text(&cut);
 	FREED char *rpm = rotor_speed_rpm_text(
 	    entry->site->rotor, entry->site->run[run].speed, NAN);
-	answer_say(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
+	answer_add_sentence(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
 	    cut.missed ? N_("the prediction misses the cut at %g m/s%s, the "
 			    "only product of this site: %s")
 		       : N_("the prediction matches the cut at %g m/s%s, the "
 			    "only product of this site: %s"),
 	    entry->site->run[run].speed, rpm, words);
-	fields_put_values(fields_add_object(answer_fields(r), "cut"),
+	fields_put_values(fields_add_object(answer_json_fields(r), "cut"),
 	    "speed %g rms_pct %g sieves %zu", entry->site->run[run].speed,
 	    100 * cut.rms, cut.n);
 }
@@ -279,7 +287,7 @@ note_fit_of_only_cut(
  * lower because of the feed: "44.7 % at 2 mm, 11.1 % at 0.5 mm", at most MOST;
  * "" if there are none.  The caller frees it. */
 static char *
-list_measured_below_feed(const struct session *s, const struct question *q,
+measured_below_band_text(const struct session *s, const struct question *q,
     const struct prediction *p)
 {
 	enum { MOST = 3 };
@@ -290,11 +298,12 @@ list_measured_below_feed(const struct session *s, const struct question *q,
 		for (size_t k = 0; k < n; k++) {
 			double x = p->product.size[i];
 			double own = psd_passing_at_sieve(&part[k], x);
-			if (is_limited_by_feed(q, p, i) &&
+			if (is_passing_limited_by_feed(q, p, i) &&
 			    own < p->low[i] - SHOWN_PASSING && found++ < MOST)
 				xappend_to_list(&list, ", ",
-				    tr("%.1f %% at %g mm"), units_pct(own),
-				    units_mm(x));
+				    tr("%.1f %% at %g mm"),
+				    units_fraction_to_pct(own),
+				    units_m_to_mm(x));
 		}
 	for (size_t k = 0; k < n; k++)
 		psd_free(&part[k]);
@@ -319,13 +328,14 @@ note_sieves_limited_by_feed(struct answer *r, const struct session *s,
 			least = fmin(least,
 			    psd_passing_at_sieve(&site->run[k].product, x) -
 				psd_passing_at_sieve(&site->run[k].feed, x));
-		if (is_limited_by_feed(q, p, i) && least < -SHOWN_PASSING)
-			xappend_to_list(&list, ", ", "%g", units_mm(x));
+		if (is_passing_limited_by_feed(q, p, i) &&
+		    least < -SHOWN_PASSING)
+			xappend_to_list(&list, ", ", "%g", units_m_to_mm(x));
 	}
 	if (list[0] == '\0' || fraction_is_screened(&p->fraction))
 		return;
-	FREED char *below = list_measured_below_feed(s, q, p);
-	answer_say(r, ANSWER_REMARK,
+	FREED char *below = measured_below_band_text(s, q, p);
+	answer_add_sentence(r, ANSWER_REMARK,
 	    p->low != NULL
 		? N_("at %s mm more feed passes than measured product, which "
 		     "crushing cannot cause: there answer and band do not go "
@@ -335,19 +345,19 @@ note_sieves_limited_by_feed(struct answer *r, const struct session *s,
 		     "sample the feed again"),
 	    list);
 	if (below[0] != '\0')
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "measured at this speed, below the band: %s", below);
 }
 
 bool
-predict_should_say_correction(
+predict_should_note_correction(
     const struct session *s, const struct entry *entry)
 {
 	return correction_in_use(s, entry) != CORRECTION_ALL || !entry->has_fit;
 }
 
 char *
-predict_probability_words(double level)
+predict_probability_text(double level)
 {
 	double tenths = 10 * level;
 	return fabs(tenths - round(tenths)) < 1e-9
@@ -356,9 +366,9 @@ predict_probability_words(double level)
 }
 
 bool
-predict_range_over_feeds(const struct session *s, const struct question *q,
-    const struct quantity *of, double from, double speed,
-    double range[static 2])
+predict_value_range_over_feeds(const struct session *s,
+    const struct question *q, const struct quantity *of, double from,
+    double speed, double range[static 2])
 {
 	const struct site *site = q->entry->site;
 	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
@@ -384,7 +394,7 @@ predict_largest_change_by_feed(const struct session *s,
     const struct question *q, const struct quantity *of, double speed)
 {
 	double range[2];
-	if (!predict_range_over_feeds(s, q, of, NAN, speed, range))
+	if (!predict_value_range_over_feeds(s, q, of, NAN, speed, range))
 		return 0;
 	double value = forecast_quantity_at_speed(s, q, of, speed);
 	return fmax(fabs(range[0] - value), fabs(range[1] - value));
@@ -393,12 +403,13 @@ predict_largest_change_by_feed(const struct session *s,
 /* Appends the range of the quantity over the sampled feeds, used one at a time
  * instead of their mean, if the last digit shown changes. */
 static void
-append_range_over_feeds(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double value, char **words)
+append_range_over_sampled_feeds(const struct session *s,
+    const struct question *q, const struct quantity *of, double speed,
+    double value, char **words)
 {
 	int decimals = quantities_decimals(of);
 	double range[2];
-	if (!predict_range_over_feeds(s, q, of, NAN, speed, range))
+	if (!predict_value_range_over_feeds(s, q, of, NAN, speed, range))
 		return;
 	double most = fmax(value - range[0], range[1] - value);
 	if (!(quantities_value_in_shown_unit(of, most) >=
@@ -414,14 +425,14 @@ append_range_over_feeds(const struct session *s, const struct question *q,
 /* Appends the value measured at the speed, if any, and whether it lies in the
  * range for a belt cut. */
 static void
-append_measured_beside_range(const struct session *s, const struct question *q,
-    const struct quantity *of, const struct figure *range, double speed,
-    char **words)
+append_whether_measured_in_range(const struct session *s,
+    const struct question *q, const struct quantity *of,
+    const struct figure *range, double speed, char **words)
 {
 	double moved = 0;
 	size_t n;
-	double measured =
-	    measured_mean_at_speed(s, q->entry, q->feed, of, speed, &moved, &n);
+	double measured = measured_mean_quantity_at_speed(
+	    s, q->entry, q->feed, of, speed, &moved, &n);
 	if (isnan(measured))
 		return;
 	FREED char *mean =
@@ -442,13 +453,13 @@ chance_words_at_speed(
 	struct trust light = trust_at_speed(s, q->entry, speed, q->feed);
 	bool red = light.light == LIGHT_RED;
 	trust_free(&light);
-	FREED char *chance = predict_probability_words(q->level);
+	FREED char *chance = predict_probability_text(q->level);
 	return red ? xasprintf(tr("if the model holds, %s"), chance)
 		   : xstrdup(chance);
 }
 
 char *
-predict_certainty_words(const struct session *s, const struct question *q,
+predict_certainty_text(const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
 {
 	int decimals = quantities_decimals(of);
@@ -456,7 +467,7 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	forecast_set_speed(f, speed);
 	struct figure answer = forecast_value_in_shown_unit(f, 0);
 	double value = forecast_value_with_band(f, 0).value;
-	forecast_set_speed_and_draws(f, speed, ENSEMBLE_SAMPLE);
+	forecast_set_speed_and_ensemble(f, speed, ENSEMBLE_SAMPLE);
 	struct figure sample = forecast_value_in_shown_unit(f, 0);
 	forecast_close(f);
 	if (isnan(value) || isnan(answer.low) || isnan(sample.low))
@@ -471,25 +482,25 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	    units_speed_decimals(speed), speed, rpm, said, chance, decimals,
 	    answer.low, decimals, answer.high, decimals, sample.low, decimals,
 	    sample.high);
-	append_measured_beside_range(s, q, of, &sample, speed, &words);
+	append_whether_measured_in_range(s, q, of, &sample, speed, &words);
 	if (q->feed == SITE_MEAN_FEED)
-		append_range_over_feeds(s, q, of, speed, value, &words);
+		append_range_over_sampled_feeds(s, q, of, speed, value, &words);
 	return words;
 }
 
 /* For a user at the prompt, appends the command that asks about the next sieve,
  * because the rows of the table have no range for a belt cut. */
 static void
-append_hint_at_other_sieve(const struct session *s, const struct question *q,
-    const struct prediction *p, char **words)
+append_command_for_other_sieve(const struct session *s,
+    const struct question *q, const struct prediction *p, char **words)
 {
 	size_t said = answers_default_sieve(&p->product);
 	size_t other = said > 0 ? said - 1 : said + 1;
 	if (!s->prompt || s->scripts > s->typed_depth || other >= p->product.n)
 		return;
-	FREED char *speed = speed_as_typed(q->entry->site, p->speed);
+	FREED char *speed = speed_text_in_typed_unit(q->entry->site, p->speed);
 	xappend(words, tr("; another sieve: predict %s passing %g"), speed,
-	    units_mm(p->product.size[other]));
+	    units_m_to_mm(p->product.size[other]));
 }
 
 static void
@@ -500,31 +511,32 @@ note_certainty_of_passing(struct answer *r, const struct session *s,
 	    answers_default_passing_quantity(&p->product);
 	if (p->low == NULL || fraction_is_screened(&p->fraction))
 		return;
-	FREED char *words = predict_certainty_words(s, q, &of, p->speed);
+	FREED char *words = predict_certainty_text(s, q, &of, p->speed);
 	if (words == NULL)
 		return;
-	append_hint_at_other_sieve(s, q, p, &words);
+	append_command_for_other_sieve(s, q, p, &words);
 	answer_note(r, "%s", words);
 }
 
 /* Returns the most by which the measured products shown beside the answer were
  * moved to its feed, passing 0..1, or 0 if that is too little to show. */
 static double
-largest_shown_move_to_feed(const struct session *s, const struct question *q,
-    const struct prediction *p, bool between)
+largest_shown_change_by_feed_move(const struct session *s,
+    const struct question *q, const struct prediction *p, bool between)
 {
 	const struct site *site = q->entry->site;
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
 		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
-			most = fmax(most, largest_move_to_feed(s, q->entry,
-					      q->params, k, p->feed_run));
+			most = fmax(
+			    most, largest_change_by_moving_to_feed(
+				      s, q->entry, q->params, k, p->feed_run));
 	return most > SHOWN_PASSING ? most : 0;
 }
 
 /* Puts what is set for the draws, with which the answer can be had again. */
 static void
-put_settings_of_draws(
+put_posterior_settings(
     struct fields *o, const struct session *s, const struct entry *entry)
 {
 	fields_put_values(o,
@@ -543,15 +555,15 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	FREED double *between =
 	    wanted ? interpolate_measured_products(s, q, p) : NULL;
 	struct answer *r = build_prediction_answer(s, q, p, between, detail);
-	struct fields *o = answer_fields(r);
-	answers_put_prediction(s, o, entry, q->params, p);
-	put_settings_of_draws(o, s, entry);
+	struct fields *o = answer_json_fields(r);
+	answers_put_prediction_fields(s, o, entry, q->params, p);
+	put_posterior_settings(o, s, entry);
 	note_certainty_of_passing(r, s, q, p);
 	screened_note_share(r, p);
-	answers_note_sizes(r, p);
+	answers_note_p_sizes(r, p);
 	if (p->low != NULL) {
-		answer_put_columns_as_lists(r, "low_pct high_pct");
-		answers_put_size_bands(o, s, p);
+		answer_add_columns_to_json_fields(r, "low_pct high_pct");
+		answers_put_p_size_bands(o, s, p);
 	}
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, p->speed, NAN);
@@ -561,24 +573,24 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	note_sieves_missing_in_feed(r, question_feed(q), p);
 	note_wide_sieve_gap_in_feed(r, question_feed(q));
 	if (session_entry_being_fitted(s) == entry_without_scenario(entry))
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
 	if (between != NULL)
-		answer_put_columns_as_lists(r, "interpolated_pct");
+		answer_add_columns_to_json_fields(r, "interpolated_pct");
 	else if (wanted)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    entry->site->with[0] != '\0'
 			? N_("no interpolation: at %g m/s%s nothing was "
 			     "measured with this feed and machine")
 			: N_("no interpolation: %g m/s%s is not between "
 			     "measured runs"),
 		    p->speed, rpm);
-	note_fit_of_only_cut(r, s, entry);
+	note_match_of_only_product(r, s, entry);
 	struct question at = *q;
-	at.moved = largest_shown_move_to_feed(s, q, p, between != NULL);
-	answers_show_basis_at_speed(s, r, &at, p->speed,
+	at.moved = largest_shown_change_by_feed_move(s, q, p, between != NULL);
+	answers_note_basis_and_trust_at_speed(s, r, &at, p->speed,
 	    p->low != NULL &&
-		(detail || predict_should_say_correction(s, entry)));
+		(detail || predict_should_note_correction(s, entry)));
 	return r;
 }
 
@@ -621,8 +633,8 @@ find_params_to_predict(const struct session *s, const struct entry *entry,
 }
 
 bool
-predict_for_slider(struct session *s, const struct entry *entry, double speed,
-    size_t feed_run, const char *line, struct prediction *p,
+predict_at_screen_speed(struct session *s, const struct entry *entry,
+    double speed, size_t feed_run, const char *line, struct prediction *p,
     struct error *error)
 {
 	struct params params;
@@ -631,7 +643,7 @@ predict_for_slider(struct session *s, const struct entry *entry, double speed,
 	struct question q = question_of_whole_product(s, entry, feed_run);
 	q.params = &params;
 	*p = forecast_product(s, &q, speed);
-	answers_keep_newest_prediction(s, entry, &params, p);
+	answers_store_newest_prediction(s, entry, &params, p);
 	invocation_journal_question(s, "predict", line);
 	return true;
 }
@@ -654,9 +666,9 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct question at = *q;
 	at.params = &params;
 	struct prediction p = forecast_product(s, &at, at.speed);
-	session_keep_last_asked(s, p.speed, NULL);
+	session_set_last_question(s, p.speed, NULL);
 	if (!args->band)
-		prediction_drop_band(&p);
+		prediction_remove_band(&p);
 	struct answer *r = build_prediction_with_notes(
 	    s, &at, &p, args->interpolated, args->detail);
 	if (args_is_given(args, &args->band) && args->band && p.low == NULL)
@@ -664,7 +676,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	bool picture = plot_is_image_wanted(s) && s->document == NULL;
 	bool curve = args->curve && s->set.format == ANSWER_TABLE;
 	if (picture)
-		session_keep_newest_answer(s, r);
+		session_store_newest_answer(s, r);
 	else
 		session_show_answer(s, r);
 	bool ok =

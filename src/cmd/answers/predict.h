@@ -12,7 +12,7 @@ struct question;
  * and the line in the journal, and sets *p, which the caller frees with
  * prediction_free.  Returns false with an error if the site has no
  * parameters. */
-bool predict_for_slider(struct session *s, const struct entry *entry,
+bool predict_at_screen_speed(struct session *s, const struct entry *entry,
     double speed, size_t feed_run, const char *line, struct prediction *p,
     struct error *error);
 
@@ -21,9 +21,9 @@ bool predict_for_slider(struct session *s, const struct entry *entry,
  * NAN, to the range of its change from that speed.  Returns false if the site
  * has only one feed, if the question brings another, or if no curve reaches the
  * quantity. */
-bool predict_range_over_feeds(const struct session *s, const struct question *q,
-    const struct quantity *of, double from, double speed,
-    double range[static 2]);
+bool predict_value_range_over_feeds(const struct session *s,
+    const struct question *q, const struct quantity *of, double from,
+    double speed, double range[static 2]);
 
 /* Returns the most by which a quantity, in its own unit, changes at a speed,
  * m/s, if the feed of a run replaces the question's feed: the band does not
@@ -33,16 +33,16 @@ double predict_largest_change_by_feed(const struct session *s,
     const struct question *q, const struct quantity *of, double speed);
 
 /* Returns "8 times in 10" or "with 95 % probability".  The caller frees it. */
-char *predict_probability_words(double level);
+char *predict_probability_text(double level);
 
 /* Returns a sentence with the bands of a quantity at a speed, m/s: that of the
  * answer and that of a new belt cut (D22).  Returns NULL if there are no draws
  * or the curve does not reach the quantity.  The caller frees it. */
-char *predict_certainty_words(const struct session *s, const struct question *q,
+char *predict_certainty_text(const struct session *s, const struct question *q,
     const struct quantity *of, double speed);
 
 /* True if an answer should say what corrects the model. */
-bool predict_should_say_correction(
+bool predict_should_note_correction(
     const struct session *s, const struct entry *entry);
 
 #endif

@@ -93,7 +93,7 @@ static const struct section {
 
 /* True if the section needs parameters and lacks nothing else. */
 static bool
-lacks_at_most_params(const struct report_request *ask, enum need need)
+does_section_lack_only_params(const struct report_request *ask, enum need need)
 {
 	return need == NEED_PARAMS ||
 	       (need == NEED_CONDITIONS && ask->list.n > 0) ||
@@ -101,7 +101,7 @@ lacks_at_most_params(const struct report_request *ask, enum need need)
 }
 
 static bool
-has_what_section_needs(
+has_data_for_report_section(
     const struct session *s, const struct report_request *ask, enum need need)
 {
 	const struct entry *entry = &s->entry[s->current];
@@ -112,9 +112,11 @@ has_what_section_needs(
 	case NEED_PARAMS:
 	case NEED_CONDITIONS:
 	case NEED_TPH:
-		return entry->has_params && lacks_at_most_params(ask, need);
+		return entry->has_params &&
+		       does_section_lack_only_params(ask, need);
 	case NEED_FIT:
-		return entry->has_params && origin_source_fit(entry) != NULL;
+		return entry->has_params &&
+		       origin_fit_behind_params(entry) != NULL;
 	case NEED_NONE:
 		return !entry->has_params;
 	case NEED_SEVERAL:
@@ -160,7 +162,7 @@ fill_in_placeholders(const char *words, const struct report_request *ask)
 /* Runs a line and puts its answer into the document, or the reason why it
  * failed.  A check that finds a fault counts as an answer. */
 static void
-run_report_line(struct session *s, const char *line)
+run_command_into_report(struct session *s, const char *line)
 {
 	struct error error = {0};
 	size_t next;
@@ -173,8 +175,9 @@ run_report_line(struct session *s, const char *line)
 	s->job = stopped;
 	if (ok || error.kind == ERROR_CHECK)
 		return;
-	document_say(s->document, DOCUMENT_WORDS, "No '%s' here: %s%s%s", line,
-	    error.text, error.hint[0] != '\0' ? "; " : "", error.hint);
+	document_add_paragraph(s->document, DOCUMENT_WORDS,
+	    "No '%s' here: %s%s%s", line, error.text,
+	    error.hint[0] != '\0' ? "; " : "", error.hint);
 }
 
 static void
@@ -182,16 +185,16 @@ write_report_sections(struct session *s, const struct report_request *ask)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
-		if (!has_what_section_needs(s, ask, row->need))
+		if (!has_data_for_report_section(s, ask, row->need))
 			continue;
 		FREED char *line = fill_in_placeholders(row->line, ask);
 		if (row->heading != NULL) {
 			FREED char *heading =
 			    fill_in_placeholders(tr(row->heading), ask);
-			document_say(
+			document_add_paragraph(
 			    s->document, DOCUMENT_HEADING, "%s", heading);
 		}
-		run_report_line(s, line);
+		run_command_into_report(s, line);
 	}
 }
 
@@ -199,16 +202,16 @@ write_report_sections(struct session *s, const struct report_request *ask)
 static void
 write_data_provenance(struct document *d, const struct site *site)
 {
-	FREED char *first = site_source_clause(site, ""),
-		   *from = site_provenance_in_words(first);
+	FREED char *first = site_provenance_first_clause(site, ""),
+		   *from = site_translate_provenance(first);
 	if (from[0] == '\0')
-		document_say(d, DOCUMENT_WARNING,
+		document_add_paragraph(d, DOCUMENT_WARNING,
 		    "The site file does not state where its data are from.");
 	else if (site_is_data_made_up(first))
-		document_say(d, DOCUMENT_WARNING,
+		document_add_paragraph(d, DOCUMENT_WARNING,
 		    "The data were not measured at a plant: %s.", from);
 	else
-		document_say(d, DOCUMENT_WORDS, "Data: %s.", from);
+		document_add_paragraph(d, DOCUMENT_WORDS, "Data: %s.", from);
 }
 
 static void
@@ -228,7 +231,7 @@ write_trust_light(struct session *s, const struct report_request *ask)
 		t.n == 0 ? "." : ":");
 	document_add_trust_light(s->document, t.light, words);
 	for (size_t i = 0; i < t.n; i++)
-		document_say(s->document, DOCUMENT_WORDS, "%s: %s.",
+		document_add_paragraph(s->document, DOCUMENT_WORDS, "%s: %s.",
 		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);
 	trust_free(&t);
 }
@@ -238,7 +241,8 @@ static void
 append_speeds_meeting_conditions(char **words, const struct report_request *ask)
 {
 	const struct speed_search *w = ask->found;
-	FREED char *speeds = conditions_met_speeds_with_units(&ask->wanted, w);
+	FREED char *speeds =
+	    conditions_met_speeds_text_with_units(&ask->wanted, w);
 	if (w->n_inside > 0)
 		xappend_to_list(words, "; ", tr("met at %s"), speeds);
 	if (w->n_inside > 0)
@@ -265,7 +269,7 @@ static void
 write_whether_conditions_met(
     struct session *s, const struct report_request *ask)
 {
-	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
+	if (!has_data_for_report_section(s, ask, NEED_CONDITIONS))
 		return;
 	forecast_set_speed(ask->wanted.forecast, ask->speed);
 	bool met = conditions_are_met(&ask->wanted, SIZE_MAX);
@@ -280,7 +284,7 @@ write_whether_conditions_met(
 	FREED char *words = xasprintf(tr("Conditions: %s: at %.*f m/s%s %s"),
 	    list, units_speed_decimals(ask->speed), ask->speed, rpm, chance);
 	append_speeds_meeting_conditions(&words, ask);
-	document_say(s->document,
+	document_add_paragraph(s->document,
 	    (isnan(share) ? met : share >= 0.5) ? DOCUMENT_WORDS
 						: DOCUMENT_WARNING,
 	    "%s.", words);
@@ -291,34 +295,35 @@ static void
 write_headline_answer(struct session *s, const struct report_request *ask)
 {
 	const struct question *q = ask->q;
-	if (!has_what_section_needs(s, ask, NEED_PARAMS))
+	if (!has_data_for_report_section(s, ask, NEED_PARAMS))
 		return;
 	struct prediction p =
 	    forecast_whole_product(s, q->entry, ask->speed, q->feed);
 	const struct quantity of = answers_default_passing_quantity(&p.product);
-	FREED char *sure = predict_certainty_words(s, q, &of, ask->speed);
+	FREED char *sure = predict_certainty_text(s, q, &of, ask->speed);
 	if (sure != NULL)
-		document_say(s->document, DOCUMENT_WORDS, "%s.", sure);
+		document_add_paragraph(
+		    s->document, DOCUMENT_WORDS, "%s.", sure);
 	prediction_free(&p);
 }
 
 /* Lists the sections that need parameters.  Written instead of the light if
  * there are none. */
 static void
-write_list_of_missing_sections(
+write_missing_report_sections(
     struct session *s, const struct report_request *ask)
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
 		if (row->heading == NULL ||
-		    !lacks_at_most_params(ask, row->need))
+		    !does_section_lack_only_params(ask, row->need))
 			continue;
 		FREED char *heading =
 		    fill_in_placeholders(tr(row->heading), ask);
 		xappend_to_list(&list, "; ", "%s", heading);
 	}
-	document_say(s->document, DOCUMENT_WARNING,
+	document_add_paragraph(s->document, DOCUMENT_WARNING,
 	    "The site is not calibrated. Missing here: %s. Next step: run "
 	    "'calibrate', then 'report' again.",
 	    list);
@@ -328,18 +333,18 @@ static void
 write_reproducing_script(struct session *s, const struct report_request *ask)
 {
 	struct error error = {0};
-	document_say(
+	document_add_paragraph(
 	    s->document, DOCUMENT_HEADING, "The script that makes this again");
 	if (!journal_can_be_saved(s, &error)) {
-		document_say(s->document, DOCUMENT_WORDS, "None: %s; %s.",
-		    error.text, error.hint);
+		document_add_paragraph(s->document, DOCUMENT_WORDS,
+		    "None: %s; %s.", error.text, error.hint);
 		return;
 	}
 	FILE *out = s->document->out;
 	fprintf(out, "# A session of tipspeed %s, written by 'report'.\n",
 	    PACKAGE_VERSION);
 	journal_write_script(s, NULL, out);
-	FREED char *file = text_in_quotes(s->file);
+	FREED char *file = text_add_quotes(s->file);
 	FREED char *line = fill_in_placeholders(
 	    "reportCONDITIONS speed=SPEEDRATESPECASKEDCUT", ask);
 	fprintf(out, "%s > %s\n", line, file);
@@ -350,15 +355,15 @@ write_report(struct session *s, const struct report_request *ask)
 {
 	const struct site *site = ask->q->entry->site;
 	FREED char *label = session_site_label(site);
-	FREED char *today = datetime_today();
+	FREED char *today = datetime_today_text();
 	FREED char *title = xasprintf(tr("Report: %s, %s"), label, today);
 	document_set_title(s->document, title);
 	write_headline_answer(s, ask);
 	write_whether_conditions_met(s, ask);
-	if (has_what_section_needs(s, ask, NEED_PARAMS))
+	if (has_data_for_report_section(s, ask, NEED_PARAMS))
 		write_trust_light(s, ask);
 	else
-		write_list_of_missing_sections(s, ask);
+		write_missing_report_sections(s, ask);
 	write_data_provenance(s->document, site);
 	write_report_sections(s, ask);
 	write_reproducing_script(s, ask);
@@ -368,7 +373,7 @@ write_report(struct session *s, const struct report_request *ask)
 static void
 append_quoted_option(char **text, const char *name, const char *words)
 {
-	FREED char *quoted = text_in_quotes(words);
+	FREED char *quoted = text_add_quotes(words);
 	xappend(text, " %s%s", name, quoted);
 }
 
@@ -389,7 +394,8 @@ given_options_text(const struct args *args, const void *const *option, size_t n)
 }
 
 static void
-compose_section_options(const struct args *args, struct report_request *ask)
+format_report_section_options(
+    const struct args *args, struct report_request *ask)
 {
 	const void *const cut[] = {
 	    &args->cut, &args->sharpness, &args->cut_size};
@@ -420,11 +426,11 @@ static bool
 parse_report_request(struct session *s, const struct args *args,
     struct report_request *ask, struct error *error)
 {
-	compose_section_options(args, ask);
+	format_report_section_options(args, ask);
 	if (!conditions_add_from_args(s, args, ask->q, &ask->list, error))
 		return false;
 	ask->speed = ask->q->speed;
-	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
+	if (!has_data_for_report_section(s, ask, NEED_CONDITIONS))
 		return true;
 	ask->wanted = conditions_open_search(s, ask->q, &ask->list, NULL);
 	ask->found = speed_search_run(&ask->wanted);
@@ -466,7 +472,7 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 		s->answer = NULL;
 		s->n_answer = 0;
 		write_report(s, &ask);
-		session_forget_answers(s);
+		session_remove_answers(s);
 		free(s->answer);
 		s->answer = kept;
 		s->n_answer = n_kept;

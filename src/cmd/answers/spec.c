@@ -36,7 +36,8 @@ envelope_fraction_text(const struct spec *spec)
 }
 
 static bool
-use_spec(struct session *s, const struct args *args, struct error *error)
+set_session_envelope(
+    struct session *s, const struct args *args, struct error *error)
 {
 	FREED char *words = join_operands(args, 1);
 	if (words == NULL)
@@ -48,13 +49,14 @@ use_spec(struct session *s, const struct args *args, struct error *error)
 		return false;
 	s->spec = spec;
 	FREED char *cut = envelope_fraction_text(spec);
-	session_note(s, "envelope: %s (%s): %s", spec->name, cut,
+	session_print_note(s, "envelope: %s (%s): %s", spec->name, cut,
 	    spec->source[0] != '\0' ? spec->source : tr("source not stated"));
 	return true;
 }
 
 static bool
-stop_using_spec(struct session *s, const struct args *args, struct error *error)
+clear_session_envelope(
+    struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
@@ -80,7 +82,7 @@ standard_limit_text(const struct standard_limit *l)
 static void
 add_standard_limit_rows(struct answer *r, const struct standards *all)
 {
-	answer_columns(r, "limit, is");
+	answer_add_columns(r, "limit, is");
 	for (size_t i = 0; i < all->n_limit; i++) {
 		const struct standard_limit *l = &all->limit[i];
 		FREED char *words = standard_limit_text(l);
@@ -88,7 +90,7 @@ add_standard_limit_rows(struct answer *r, const struct standards *all)
 		answer_add_cells(r, "%s %s", name, words);
 	}
 	answer_begin_table_for_programs(r);
-	answer_columns(r, "standard, limit, min, max, unit, note");
+	answer_add_columns(r, "standard, limit, min, max, unit, note");
 	for (size_t i = 0; i < all->n_limit; i++) {
 		const struct standard_limit *l = &all->limit[i];
 		answer_add_cells(r, "%s %s %g %g %s %s", l->standard, l->item,
@@ -100,9 +102,9 @@ static bool
 show_standard_limits(struct session *s, const struct standards *all)
 {
 	struct answer *r = answer_new("spec");
-	answer_title(r, "limits of standards that are not on a passing");
+	answer_set_title(r, "limits of standards that are not on a passing");
 	add_standard_limit_rows(r, all);
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "second-hand copies: check them against your own. Those on a "
 	    "fineness modulus and between two sieves are checked by 'spec'; "
 	    "tolerances need a declared grading");
@@ -115,13 +117,15 @@ show_envelope_limits(struct session *s, const struct spec *spec)
 {
 	struct answer *r = answer_new("spec");
 	FREED char *cut = envelope_fraction_text(spec);
-	answer_title(r, "%s: limits of passing, %%; for %s", spec->name, cut);
-	answer_columns(
+	answer_set_title(
+	    r, "%s: limits of passing, %%; for %s", spec->name, cut);
+	answer_add_columns(
 	    r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max %%");
 	for (size_t i = 0; i < spec->n; i++)
-		answer_add_cells(r, "%g %g %g", units_mm(spec->size[i]),
-		    units_pct(spec->least[i]), units_pct(spec->most[i]));
-	answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
+		answer_add_cells(r, "%g %g %g", units_m_to_mm(spec->size[i]),
+		    units_fraction_to_pct(spec->least[i]),
+		    units_fraction_to_pct(spec->most[i]));
+	answer_add_sentence(r, ANSWER_REMARK, "limits: %s", spec->source);
 	return session_show_answer(s, r);
 }
 
@@ -130,20 +134,22 @@ show_envelope_list(
     struct session *s, const struct standards *all, const bool *match)
 {
 	struct answer *r = answer_new("spec");
-	answer_title(r, "grading envelopes, for 'spec use'");
-	answer_columns(r, "cut: fraction mm, sieves, from_mm: from mm, to_mm: "
-			  "to mm, name");
+	answer_set_title(r, "grading envelopes, for 'spec use'");
+	answer_add_columns(r,
+	    "cut: fraction mm, sieves, from_mm: from mm, to_mm: "
+	    "to mm, name");
 	for (size_t i = 0; i < all->n; i++) {
 		const struct spec *spec = all->spec[i];
 		FREED char *cut = envelope_fraction_text(spec);
 		if (match == NULL || match[i])
 			answer_add_cells(r, "%s %g %g %g %s", cut,
-			    (double)spec->n, units_mm(spec->size[spec->n - 1]),
-			    units_mm(spec->size[0]), spec->name);
+			    (double)spec->n,
+			    units_m_to_mm(spec->size[spec->n - 1]),
+			    units_m_to_mm(spec->size[0]), spec->name);
 	}
 	if (s->spec != NULL)
 		answer_note(r, "in use: %s", s->spec->name);
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "second-hand copies: check them against your own; 'spec list NAME' "
 	    "has the limits of one, 'spec list limits' those that are not on a "
 	    "passing");
@@ -151,13 +157,15 @@ show_envelope_list(
 }
 
 static bool
-show_spec_list(struct session *s, const struct args *args, struct error *error)
+show_envelopes_or_limits(
+    struct session *s, const struct args *args, struct error *error)
 {
 	FREED char *words = join_operands(args, 1);
 	struct standards *all = standards_read_built_in();
 	bool *match = xcalloc(all->n, sizeof *match), ok;
-	size_t n =
-	    words != NULL ? standards_mark_matches(all, words, match) : 0;
+	size_t n = words != NULL
+		       ? standards_mark_envelopes_named(all, words, match)
+		       : 0;
 	size_t at = 0;
 	while (at < all->n && !match[at])
 		at++;
@@ -182,7 +190,8 @@ note_envelope_verdict(struct answer *r, const struct grading *g, double v)
 	forecast_set_speed(g->conditions.forecast, v);
 	double certain = conditions_probability(&g->conditions);
 	FREED char *missed = envelope_missed_limits_text(g);
-	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
+	fields_put_number(
+	    answer_json_fields(r), "certainty_pct", 100 * certain);
 	answer_note(r, "%s",
 	    missed[0] != '\0'         ? missed
 	    : g->n_sieve < g->spec->n ? tr("meets the limits that were checked")
@@ -205,18 +214,18 @@ compare_product_with_envelope(struct session *s, const struct args *args,
 	struct grading g;
 	FREED char *words = join_operands(args, 0);
 	const struct spec *spec = envelope_find(s, words, error);
-	if (spec == NULL || !answers_require_params_of_current(s, error) ||
-	    !envelope_open(s, args, spec, q, &g, error))
+	if (spec == NULL || !answers_require_params_current_site(s, error) ||
+	    !envelope_open_grading(s, args, spec, q, &g, error))
 		return false;
-	FREED char *name = envelope_title(&g);
+	FREED char *name = envelope_title_text(&g);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
-	struct answer *r = answer_about_site(
+	struct answer *r = answer_new_about_site(
 	    entry->site, "spec", "%s at %g m/s%s", name, v, rpm);
-	envelope_add_rows(r, &g, v);
+	envelope_add_sieve_rows(r, &g, v);
 	note_envelope_verdict(r, &g, v);
 	envelope_add_notes(r, &g);
-	answers_show_basis_at_speed(s, r, q, v, false);
-	fields_put_values(answer_fields(r),
+	answers_note_basis_and_trust_at_speed(s, r, q, v, false);
+	fields_put_values(answer_json_fields(r),
 	    "speed %g extrapolated %d inside %d", v,
 	    answers_is_speed_extrapolated(entry, v),
 	    conditions_are_met(&g.conditions, SIZE_MAX));
@@ -232,8 +241,9 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	static const struct {
 		const char *verb;
 		command_run *run;
-	} VERBS[] = {{"use", use_spec}, {"list", show_spec_list},
-	    {"off", stop_using_spec}};
+	} VERBS[] = {{"use", set_session_envelope},
+	    {"list", show_envelopes_or_limits},
+	    {"off", clear_session_envelope}};
 	for (size_t i = 0; args->n_operand > 0 && i < ARRAY_LEN(VERBS); i++)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
 			return VERBS[i].run(s, args, error);

@@ -17,13 +17,13 @@
 
 /* Adds a row for each end of the band of a size: P20, P50 or P80. */
 static void
-add_rows_of_size_band(
+add_p_size_band_rows(
     struct answer *r, const struct prediction *p, size_t n, size_t size)
 {
 	static const char *const ENDS[] = {N_("  low"), N_("  high")};
 	for (size_t end = 0; end < 2; end++) {
 		answer_add_cells(r, "%s", tr(ENDS[end]));
-		answer_set_missing(r, "");
+		answer_set_missing_text(r, "");
 		answer_add_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answer_add_cells(
@@ -38,8 +38,8 @@ add_row_of_other_speed_unit(struct answer *r, const struct site *site,
     const struct prediction *p, size_t n)
 {
 	bool in_rpm = answers_is_sheet_in_rpm(site);
-	answer_text(r, in_rpm ? "m/s" : N_("rpm"));
-	answer_set_missing(r, "");
+	answer_add_text_cell(r, in_rpm ? "m/s" : N_("rpm"));
+	answer_set_missing_text(r, "");
 	answer_add_cells(r, "%.0f", NAN);
 	for (size_t i = 0; i < n; i++)
 		if (in_rpm)
@@ -51,42 +51,44 @@ add_row_of_other_speed_unit(struct answer *r, const struct site *site,
 
 /* Puts sieves down and speeds across, for as many speeds as fit a screen. */
 static void
-add_rows_with_speeds_across(struct answer *r, const struct entry *entry,
+add_sieve_rows_with_speed_columns(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	FREED double *feed = screened_feed_passings(&p[0]);
-	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
+	answer_add_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_is_speed_extrapolated(entry, p[i].speed);
 		FREED char *head =
 		    answers_speed_text(entry->site, p[i].speed, -1);
-		answer_columns(r, "passing_pct@%g: %s%s", p[i].speed, head,
+		answer_add_columns(r, "passing_pct@%g: %s%s", p[i].speed, head,
 		    outside ? "*" : "");
 	}
 	if (entry->site->rotor > 0)
 		add_row_of_other_speed_unit(r, entry->site, p, n);
 	for (size_t row = 0; row < p[0].product.n; row++) {
-		answer_text(r, "%g", units_mm(p[0].product.size[row]));
-		answer_add_cells(r, "%.1f", units_pct(feed[row]));
+		answer_add_text_cell(
+		    r, "%g", units_m_to_mm(p[0].product.size[row]));
+		answer_add_cells(r, "%.1f", units_fraction_to_pct(feed[row]));
 		for (size_t i = 0; i < n; i++)
-			answer_add_cells(
-			    r, "%.1f", units_pct(p[i].product.passing[row]));
+			answer_add_cells(r, "%.1f",
+			    units_fraction_to_pct(p[i].product.passing[row]));
 	}
 	if (fraction_is_screened(&p[0].fraction)) {
 		answer_add_cells(r, "%s", tr("share %"));
-		answer_set_missing(r, "");
+		answer_set_missing_text(r, "");
 		answer_add_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
-			answer_add_cells(r, "%.1f", units_pct(p[i].share));
+			answer_add_cells(
+			    r, "%.1f", units_fraction_to_pct(p[i].share));
 	}
 	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
 		answer_add_cells(r, "%s", tr(ANSWERS_SIZE[size].head));
-		answer_set_missing(r, "");
+		answer_set_missing_text(r, "");
 		answer_add_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answers_add_size_cell(r, &p[i], size);
 		if (p[0].low != NULL && size != ANSWERS_BREAK)
-			add_rows_of_size_band(r, p, n, size);
+			add_p_size_band_rows(r, p, n, size);
 	}
 }
 
@@ -96,25 +98,27 @@ add_sweep_row(struct answer *r, const struct prediction *p, const double *feed,
 {
 	bool band = p->low != NULL;
 	answer_add_cells(r, "%g %s %g %.1f %.1f %.1f %.1f %.1f", p->speed,
-	    outside ? tr("yes") : tr("no"), units_mm(p->product.size[j]),
-	    units_pct(feed[j]), units_pct(p->product.passing[j]),
-	    band ? units_pct(p->low[j]) : NAN,
-	    band ? units_pct(p->high[j]) : NAN, units_pct(p->model[j]));
+	    outside ? tr("yes") : tr("no"), units_m_to_mm(p->product.size[j]),
+	    units_fraction_to_pct(feed[j]),
+	    units_fraction_to_pct(p->product.passing[j]),
+	    band ? units_fraction_to_pct(p->low[j]) : NAN,
+	    band ? units_fraction_to_pct(p->high[j]) : NAN,
+	    units_fraction_to_pct(p->model[j]));
 	if (fraction_is_screened(&p->fraction))
-		answer_add_cells(r, "%.1f", units_pct(p->share));
+		answer_add_cells(r, "%.1f", units_fraction_to_pct(p->share));
 }
 
 /* Adds a row for each speed and sieve, for spreadsheets and programs. */
 static void
-add_rows_by_speed_and_sieve(struct answer *r, const struct entry *entry,
+add_sweep_rows_by_speed_and_sieve(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
-	answer_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
-			  "feed_pct: feed %%, passing_pct: product %%, "
-			  "low_pct: low %%, high_pct: high %%, "
-			  "model_pct: model alone %%");
+	answer_add_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
+			      "feed_pct: feed %%, passing_pct: product %%, "
+			      "low_pct: low %%, high_pct: high %%, "
+			      "model_pct: model alone %%");
 	if (fraction_is_screened(&p[0].fraction))
-		answer_columns(r, "share_pct: share %%");
+		answer_add_columns(r, "share_pct: share %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_is_speed_extrapolated(entry, p[i].speed);
 		FREED double *feed = screened_feed_passings(&p[i]);
@@ -132,20 +136,20 @@ build_sweep_answer(const struct session *s, const struct question *q,
 	const struct entry *entry = q->entry;
 	enum { ACROSS = 7 };
 	bool band = p[0].low != NULL, across = n <= ACROSS;
-	FREED char *fraction = screened_title_suffix(&p[0].fraction);
-	struct answer *r = answer_about_site(entry->site, "sweep",
+	FREED char *fraction = screened_fraction_title_suffix(&p[0].fraction);
+	struct answer *r = answer_new_about_site(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? correction_in_words(s, entry) : "");
-	(across ? add_rows_with_speeds_across : answers_add_row_per_prediction)(
-	    r, entry, p, n);
+	(across ? add_sieve_rows_with_speed_columns
+		: answers_add_row_per_prediction)(r, entry, p, n);
 	answer_begin_table_for_programs(r);
-	add_rows_by_speed_and_sieve(r, entry, p, n);
+	add_sweep_rows_by_speed_and_sieve(r, entry, p, n);
 	if (outside && across)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
-	answers_show_basis(
-	    s, r, q, 0, band && across, trust_worst_of_several(s, entry, p, n));
-	answers_put_products(s, answer_fields(r), entry, p, n);
+	answers_note_basis_and_trust(s, r, q, 0, band && across,
+	    trust_worst_of_predictions(s, entry, p, n));
+	answers_put_products(s, answer_json_fields(r), entry, p, n);
 	return r;
 }
 

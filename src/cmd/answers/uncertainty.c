@@ -34,15 +34,17 @@ add_half_band_width_rows(struct answer *r, const struct session *s,
 {
 	struct forecast *of[ENSEMBLE_PARTS];
 	for (enum ensemble_part part = 0; part < ENSEMBLE_PARTS; part++) {
-		of[part] = forecast_open_table(s, q);
-		forecast_set_speed_and_draws(of[part], p->speed, part);
+		of[part] = forecast_open_for_predict_table(s, q);
+		forecast_set_speed_and_ensemble(of[part], p->speed, part);
 	}
-	answer_columns(r, "sieve_mm: sieve mm, passing_pct: product %%, "
-			  "parameters_pct: model alone, answer_pct: answer, "
-			  "sample_pct: a new sample");
+	answer_add_columns(r,
+	    "sieve_mm: sieve mm, passing_pct: product %%, "
+	    "parameters_pct: model alone, answer_pct: answer, "
+	    "sample_pct: a new sample");
 	for (size_t i = 0; i < p->product.n; i++) {
-		answer_add_cells(r, "%g %.1f", units_mm(p->product.size[i]),
-		    units_pct(p->product.passing[i]));
+		answer_add_cells(r, "%g %.1f",
+		    units_m_to_mm(p->product.size[i]),
+		    units_fraction_to_pct(p->product.passing[i]));
 		for (size_t part = 0; part < ENSEMBLE_PARTS; part++) {
 			struct figure f = forecast_value_with_band(of[part], i);
 			answer_add_cells(r, "%.2f", 50 * (f.high - f.low));
@@ -59,43 +61,43 @@ default_quantities_text(const struct prediction *p, bool sieves)
 {
 	if (!sieves)
 		return xasprintf("passing %g," ANSWERS_SIZE_LIST,
-		    units_mm(
+		    units_m_to_mm(
 			p->product.size[answers_default_sieve(&p->product)]));
 	char *list = xstrdup("");
 	for (size_t i = 0; i < p->product.n; i++)
-		xappend_to_list(
-		    &list, ",", "passing %g", units_mm(p->product.size[i]));
+		xappend_to_list(&list, ",", "passing %g",
+		    units_m_to_mm(p->product.size[i]));
 	return list;
 }
 
 /* Adds a row for each figure, with the range of the true value and that of a
  * new sample. */
 static void
-add_figure_rows(struct answer *r, const struct session *s,
+add_quantity_range_rows(struct answer *r, const struct session *s,
     const struct question *question, const struct prediction *p,
     const struct quantity *q, size_t n)
 {
 	struct forecast *answer = forecast_open(s, question, q, n);
 	struct forecast *sample = forecast_open(s, question, q, n);
 	forecast_set_speed(answer, p->speed);
-	forecast_set_speed_and_draws(sample, p->speed, ENSEMBLE_SAMPLE);
-	answer_columns(r, "quantity: figure, value, unit, low, high, "
-			  "cut_low: cut low, cut_high: cut high");
+	forecast_set_speed_and_ensemble(sample, p->speed, ENSEMBLE_SAMPLE);
+	answer_add_columns(r, "quantity: figure, value, unit, low, high, "
+			      "cut_low: cut low, cut_high: cut high");
 	for (size_t i = 0; i < n; i++) {
 		struct figure a = forecast_value_in_shown_unit(answer, i);
 		struct figure cut = forecast_value_in_shown_unit(sample, i);
 		int d = quantities_decimals(&q[i]);
 		FREED char *words = quantities_name(&q[i]);
 		FREED char *key = quantities_field_name(&q[i]);
-		answer_name(r, key, words);
+		answer_add_keyed_cell(r, key, words);
 		answer_add_cells(r, "%.*f %s %.*f %.*f %.*f %.*f", d, a.value,
 		    quantities_unit(&q[i]), d, a.low, d, a.high, d, cut.low, d,
 		    cut.high);
 	}
-	answer_put_rows_as_objects(r, "figures");
+	answer_add_rows_as_json_objects(r, "figures");
 	forecast_close(answer);
 	forecast_close(sample);
-	FREED char *chance = predict_probability_words(question->level);
+	FREED char *chance = predict_probability_text(question->level);
 	answer_note(r,
 	    "low, high: the true value lies between them %s; cut low, cut "
 	    "high: the same for a new belt cut",
@@ -105,11 +107,11 @@ add_figure_rows(struct answer *r, const struct session *s,
 /* Puts the median and the range of each hyperparameter into the fields and, if
  * `words`, into notes. */
 static void
-add_hyperparameter_rows(struct answer *r, const struct session *s,
+put_hyperparameter_fields(struct answer *r, const struct session *s,
     const struct posterior *p, bool words)
 {
 	double value[POSTERIOR_DRAWS], range[2], median, unused;
-	struct fields *o = fields_add_object(answer_fields(r), "errors");
+	struct fields *o = fields_add_object(answer_json_fields(r), "errors");
 	for (enum hyper h = 0; h < HYPERS; h++) {
 		bool size = h != HYPER_LENGTH && h != HYPER_SLOPE;
 		double unit = size ? 100 : 1;
@@ -133,7 +135,8 @@ add_hyperparameter_rows(struct answer *r, const struct session *s,
 /* States in how many draws the rock has two strengths, and how they differ: in
  * the fields and, if `words`, in a note. */
 static void
-note_two_rock_strengths(struct answer *r, const struct posterior *p, bool words)
+note_draws_with_two_strengths(
+    struct answer *r, const struct posterior *p, bool words)
 {
 	double two = 0, share = 0, ratio = 0;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
@@ -144,7 +147,8 @@ note_two_rock_strengths(struct answer *r, const struct posterior *p, bool words)
 		share += rock->share;
 		ratio += rock->harder / rock->softer;
 	}
-	struct fields *o = fields_add_object(answer_fields(r), "two_strengths");
+	struct fields *o =
+	    fields_add_object(answer_json_fields(r), "two_strengths");
 	fields_put_values(o, "draws_pct %g harder_share_pct %g ratio %g",
 	    100 * two / POSTERIOR_DRAWS, 100 * share / two, ratio / two);
 	if (words && two > 0)
@@ -156,16 +160,16 @@ note_two_rock_strengths(struct answer *r, const struct posterior *p, bool words)
 }
 
 static void
-note_convergence_of_draws(struct answer *r, const struct posterior *p,
+note_convergence_of_posterior_draws(struct answer *r, const struct posterior *p,
     const struct evidence *e, bool words)
 {
 	bool settled = !(e->halves > DRAWS_SETTLED);
-	fields_put_values(answer_fields(r),
+	fields_put_values(answer_json_fields(r),
 	    "draws %g halves_pct %g ratio %g drift %g accepted %g",
 	    (double)POSTERIOR_DRAWS, 100 * e->halves, p->ratio, p->drift,
 	    p->accepted);
 	if (words || !settled)
-		answer_say(r, settled ? ANSWER_REMARK : ANSWER_WARNING,
+		answer_add_sentence(r, settled ? ANSWER_REMARK : ANSWER_WARNING,
 		    settled
 			? N_("%d draws: the first half and the second differ "
 			     "by %.0f %% of the band's width")
@@ -176,30 +180,30 @@ note_convergence_of_draws(struct answer *r, const struct posterior *p,
 
 /* Adds a row for each draw: its parameters and its answer. */
 static struct answer *
-build_draws_answer(const struct session *s, const struct question *q,
+build_posterior_draws_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at, size_t n)
 {
-	struct forecast *f = forecast_open_table(s, q);
+	struct forecast *f = forecast_open_for_predict_table(s, q);
 	size_t sieves = at->product.n;
 	forecast_set_speed(f, at->speed);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
-	FREED char *fraction = screened_title_suffix(&at->fraction);
+	FREED char *fraction = screened_fraction_title_suffix(&at->fraction);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, at->speed, NAN);
-	struct answer *r = answer_about_site(q->entry->site, "uncertainty",
+	struct answer *r = answer_new_about_site(q->entry->site, "uncertainty",
 	    "draws at %.*f m/s%s%s", units_speed_decimals(at->speed), at->speed,
 	    rpm, fraction);
-	answer_columns(r, "draw: draw");
+	answer_add_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
-		answer_columns(r, "%s", of->parameter[j].name);
-	answer_columns(r, "harder_share, softer_e0, harder_e0");
+		answer_add_columns(r, "%s", of->parameter[j].name);
+	answer_add_columns(r, "harder_share, softer_e0, harder_e0");
 	for (size_t h = 0; h < HYPERS; h++)
-		answer_columns(r, "%s", HYPER[h].symbol);
+		answer_add_columns(r, "%s", HYPER[h].symbol);
 	for (size_t k = 0; k < PSD_SIZES; k++)
-		answer_columns(r, "%s", ANSWERS_SIZE[k].key);
+		answer_add_columns(r, "%s", ANSWERS_SIZE[k].key);
 	for (size_t i = 0; i < sieves; i++)
-		answer_columns(
-		    r, "passing_pct@%g", units_mm(at->product.size[i]));
+		answer_add_columns(
+		    r, "passing_pct@%g", units_m_to_mm(at->product.size[i]));
 	for (size_t d = 0; d < n; d++) {
 		double e0 = p->draw[d].params.at[of->strength + 1];
 		answer_add_cells(r, "%g", (double)d + 1);
@@ -212,14 +216,15 @@ build_draws_answer(const struct session *s, const struct question *q,
 		for (size_t h = 0; h < HYPERS; h++)
 			answer_add_cells(r, "%.6g", p->draw[d].hyper[h]);
 		for (size_t k = 0; k < PSD_SIZES; k++)
-			answer_add_cells(
-			    r, "%.4f", 1000 * forecast_draws(f, sieves + k)[d]);
+			answer_add_cells(r, "%.4f",
+			    1000 *
+				forecast_draws_of_quantity(f, sieves + k)[d]);
 		for (size_t i = 0; i < sieves; i++)
-			answer_add_cells(
-			    r, "%.4f", 100 * forecast_draws(f, i)[d]);
+			answer_add_cells(r, "%.4f",
+			    100 * forecast_draws_of_quantity(f, i)[d]);
 	}
 	forecast_close(f);
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "sigma_d, sigma_n, sigma_s and sigma_i are passings from 0 to 1: "
 	    "0.001 is 0.1 points");
 	return r;
@@ -244,12 +249,12 @@ quantity_short_name(const struct quantity *of)
 {
 	if (of->kind == QUANTITY_PASSING &&
 	    !fraction_is_screened(&of->fraction))
-		return xasprintf("0/%g", units_mm(of->x));
+		return xasprintf("0/%g", units_m_to_mm(of->x));
 	return quantities_name(of);
 }
 
 static void
-note_effect_of_feeds(struct answer *r, const struct session *s,
+note_effect_of_sampled_feeds(struct answer *r, const struct session *s,
     const struct question *q, const struct quantity *of, double speed)
 {
 	double most = predict_largest_change_by_feed(s, q, of, speed);
@@ -261,7 +266,8 @@ note_effect_of_feeds(struct answer *r, const struct session *s,
 	    name, quantities_decimals(of), shown,
 	    quantities_difference_suffix(of));
 	if (of->kind == QUANTITY_PASSING)
-		fields_put_values(answer_fields(r), "feeds_move_pct %g", shown);
+		fields_put_values(
+		    answer_json_fields(r), "feeds_move_pct %g", shown);
 }
 
 /* Notes which next sample would narrow the band of a quantity most, or that
@@ -278,7 +284,7 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	FREED char *name = quantity_short_name(of);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, best.speed, NAN);
-	fields_put_values(answer_fields(r), "next_mps %g", best.speed);
+	fields_put_values(answer_json_fields(r), "next_mps %g", best.speed);
 	if (exact_width < best.width) {
 		answer_note(r,
 		    "what would help %s at %.4g m/s most: tip speeds that are "
@@ -338,8 +344,9 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 		    "in the band: tip speeds known to %g %% (speed_sd=) move "
 		    "what passes %g mm by +- %.2f points, and other sizes by "
 		    "less",
-		    100 * sd, units_mm(at->product.size[worst]), 100 * most);
-	fields_put_values(answer_fields(r),
+		    100 * sd, units_m_to_mm(at->product.size[worst]),
+		    100 * most);
+	fields_put_values(answer_json_fields(r),
 	    "speed_sd_pct %g speeds_move_pct %g", 100 * sd, 100 * most);
 }
 
@@ -348,11 +355,12 @@ static void
 put_half_band_widths(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *at)
 {
-	fields_put_values(answer_fields(r), "speed %g level %g correction %s",
-	    at->speed, 100 * q->level, correction_name(s, q->entry));
+	fields_put_values(answer_json_fields(r),
+	    "speed %g level %g correction %s", at->speed, 100 * q->level,
+	    correction_name(s, q->entry));
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
-		answer_put_columns_as_lists(r, PARTS[i]);
-	answer_put_columns_as_lists(r, "sieve_mm passing_pct");
+		answer_add_columns_to_json_fields(r, PARTS[i]);
+	answer_add_columns_to_json_fields(r, "sieve_mm passing_pct");
 	answer_repeat_fields_in_rows(r, "speed level");
 }
 
@@ -363,9 +371,9 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	const struct posterior *p = posterior_for_comparison(s, entry);
+	const struct posterior *p = posterior_even_if_correction_off(s, entry);
 	bool detail = args->detail;
-	FREED char *fraction = screened_title_suffix(&at->fraction);
+	FREED char *fraction = screened_fraction_title_suffix(&at->fraction);
 	FREED char *usual = default_quantities_text(at, args->sieves.n > 0);
 	size_t n;
 	FREED struct quantity *figures =
@@ -377,7 +385,7 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	    rotor_speed_rpm_text(entry->site->rotor, at->speed, NAN);
 	const struct quantity of =
 	    choose_quantity_for_notes(q, args, at, figures);
-	struct answer *r = answer_about_site(entry->site, "uncertainty",
+	struct answer *r = answer_new_about_site(entry->site, "uncertainty",
 	    detail
 		? N_("half width of the %.0f %% band at %.*f m/s%s%s, points")
 		: N_("how sure, %.0f %% bands at %.*f m/s%s%s"),
@@ -386,7 +394,7 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	if (detail && !s->linear)
 		answer_allow_transposed(r);
 	if (!detail) {
-		add_figure_rows(r, s, q, at, figures, n);
+		add_quantity_range_rows(r, s, q, at, figures, n);
 		answer_begin_table_for_programs(r);
 	}
 	add_half_band_width_rows(r, s, q, at);
@@ -394,23 +402,23 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	if (!detail && args->of != NULL)
 		answer_drop_table_for_programs(r);
 	screened_note_share(r, at);
-	screened_put_fields(answer_fields(r), at);
+	screened_put_fraction_fields(answer_json_fields(r), at);
 	if (detail)
 		answer_note(r, "%s", correction_in_words(s, entry));
-	add_hyperparameter_rows(r, s, p, detail);
-	note_two_rock_strengths(r, p, detail);
-	note_effect_of_feeds(r, s, q, &of, at->speed);
+	put_hyperparameter_fields(r, s, p, detail);
+	note_draws_with_two_strengths(r, p, detail);
+	note_effect_of_sampled_feeds(r, s, q, &of, at->speed);
 	note_effect_of_speed_errors(r, s, q, p, at);
-	note_convergence_of_draws(
-	    r, p, evidence_on_calibration(s, entry), detail);
+	note_convergence_of_posterior_draws(
+	    r, p, trust_evidence_of_calibration(s, entry), detail);
 	note_best_next_sample(r, s, q, &of);
-	answers_show_basis_at_speed(s, r, q, at->speed, false);
+	answers_note_basis_and_trust_at_speed(s, r, q, at->speed, false);
 	return r;
 }
 
 /* Reads a speed, as in predict, and "draws" or "next", in any order. */
 static bool
-parse_speed_and_keywords(const struct args *args, struct question *q,
+parse_uncertainty_operands(const struct args *args, struct question *q,
     bool *draws, bool *next, struct error *error)
 {
 	bool given = q->speed_given;
@@ -438,7 +446,7 @@ parse_speed_and_keywords(const struct args *args, struct question *q,
 }
 
 static bool
-show_uncertainty(struct session *s, const struct args *args,
+show_prediction_uncertainty(struct session *s, const struct args *args,
     const struct question *q, bool draws, struct error *error)
 {
 	if (!screened_check_feed_covers(q, error))
@@ -446,11 +454,11 @@ show_uncertainty(struct session *s, const struct args *args,
 	struct prediction at = forecast_product(s, q, q->speed);
 	if (at.low == NULL) {
 		prediction_free(&at);
-		return band_error_missing(s, q->entry, error);
+		return band_set_error_missing(s, q->entry, error);
 	}
 	struct answer *r =
-	    draws ? build_draws_answer(s, q,
-			posterior_for_comparison(s, q->entry), &at,
+	    draws ? build_posterior_draws_answer(s, q,
+			posterior_even_if_correction_off(s, q->entry), &at,
 			(size_t)args->n)
 		  : build_uncertainty_answer(s, q, &at, args, error);
 	prediction_free(&at);
@@ -462,7 +470,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	bool draws = false, next = false;
-	if (!parse_speed_and_keywords(args, q, &draws, &next, error))
+	if (!parse_uncertainty_operands(args, q, &draws, &next, error))
 		return false;
 	question_use_last_speed_and_feed(s, args, q);
 	const struct settings was = s->set;
@@ -473,7 +481,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	if (args_is_given(args, &args->speed_sd))
 		s->set.speed_sd = args->speed_sd;
 	bool ok = next ? cmd_advise(s, args, q, error)
-		       : show_uncertainty(s, args, q, draws, error);
+		       : show_prediction_uncertainty(s, args, q, draws, error);
 	if (!ok)
 		s->set = was;
 	return ok;

@@ -46,17 +46,17 @@ struct explained {
 
 /* Returns the share of the feed above the break size, 0..1. */
 static double
-share_above_break_size(const struct explained *a)
+feed_share_above_break_size(const struct explained *a)
 {
 	double x = a->p.break_size;
 	return isfinite(x) && x > 0 ? 1 - psd_passing(a->feed, x) : x <= 0;
 }
 
 static void
-say_what_breaks(const struct explained *a)
+note_what_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
-	double can = share_above_break_size(a), does = p->selected;
+	double can = feed_share_above_break_size(a), does = p->selected;
 	if (p->no_daughters)
 		answer_note(a->answer,
 		    "The appearance function gives no progeny, so "
@@ -66,7 +66,7 @@ say_what_breaks(const struct explained *a)
 		    "At %.4g m/s%s only particles of %.3g mm or more break, "
 		    "and the feed has none above %g mm: the feed is unchanged",
 		    p->speed, a->rpm, 1000 * p->break_size,
-		    units_mm(a->feed->size[0]));
+		    units_m_to_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
 		answer_note(a->answer,
 		    "With %s every size can break; %.0f %% of the feed does at "
@@ -86,10 +86,10 @@ say_what_breaks(const struct explained *a)
 }
 
 static void
-say_if_little_breaks(const struct explained *a)
+note_if_little_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
-	double can = share_above_break_size(a), does = p->selected;
+	double can = feed_share_above_break_size(a), does = p->selected;
 	if (p->no_daughters)
 		return;
 	double moved = psd_rms_difference(
@@ -114,7 +114,7 @@ say_if_little_breaks(const struct explained *a)
 
 /* Says if a change of speed by 1 m/s hardly matters. */
 static void
-say_if_speed_hardly_matters(const struct explained *a)
+note_if_speed_hardly_matters(const struct explained *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast =
@@ -138,7 +138,7 @@ say_if_speed_hardly_matters(const struct explained *a)
 /* If the question has a fraction, says how much of the product is in it, and
  * how a faster rotor changes that. */
 static void
-say_share_in_fraction(const struct explained *a)
+note_share_in_fraction(const struct explained *a)
 {
 	const struct quantity share = {
 	    .kind = QUANTITY_SHARE, .fraction = a->q->fraction};
@@ -147,33 +147,33 @@ say_share_in_fraction(const struct explained *a)
 		return;
 	struct prediction part = forecast_product(a->s, a->q, v);
 	screened_note_share(a->answer, &part);
-	screened_put_fields(answer_fields(a->answer), &part);
+	screened_put_fraction_fields(answer_json_fields(a->answer), &part);
 	struct forecast *slow = forecast_open(a->s, a->q, &share, 1);
 	struct forecast *fast = forecast_open(a->s, a->q, &share, 1);
 	forecast_set_speed(slow, v);
 	forecast_set_speed(fast, v + 1);
 	struct figure more = forecast_difference(slow, fast, 0);
-	FREED char *band =
-	    quantities_band_text(units_pct(more.low), units_pct(more.high), 2);
+	FREED char *band = quantities_band_text(units_fraction_to_pct(more.low),
+	    units_fraction_to_pct(more.high), 2);
 	answer_note(a->answer,
 	    "1 m/s more changes that share by %+.2f points%s",
-	    units_pct(more.value), band);
+	    units_fraction_to_pct(more.value), band);
 	forecast_close(slow);
 	forecast_close(fast);
 	prediction_free(&part);
 }
 
 static void
-say_if_within_training_speeds(const struct explained *a)
+note_whether_in_training_range(const struct explained *a)
 {
 	const struct entry *entry = a->entry;
 	double slow, fast, v = a->p.speed;
-	if (!origin_known_speed_range(entry, &slow, &fast)) {
-		answer_say(a->answer, ANSWER_WARNING,
+	if (!origin_training_speed_range(entry, &slow, &fast)) {
+		answer_add_sentence(a->answer, ANSWER_WARNING,
 		    "The training speeds of these parameters are not known");
 		return;
 	}
-	FREED char *speeds = answers_known_speeds_text(entry, slow, fast);
+	FREED char *speeds = answers_training_range_text(entry, slow, fast);
 	if (!answers_is_speed_extrapolated(entry, v)) {
 		answer_note(a->answer, "%.4g m/s%s is within the %s", v, a->rpm,
 		    speeds);
@@ -182,7 +182,7 @@ say_if_within_training_speeds(const struct explained *a)
 	double near = v > fast ? fast : slow;
 	double more =
 	    specific_energy_at_speed(v) / specific_energy_at_speed(near) - 1;
-	answer_say(a->answer, ANSWER_WARNING,
+	answer_add_sentence(a->answer, ANSWER_WARNING,
 	    more > 0 ? N_("%.4g m/s%s is outside the %s: an impact has %.1f %% "
 			  "more energy than at %g m/s, and no measurement "
 			  "shows the effect")
@@ -216,7 +216,7 @@ static const char *const REMEDY[] = {
 /* Gives reason i and, after the last reason with its cause, what to do about
  * it. */
 static void
-say_trust_reason(const struct explained *a, const struct trust *t, size_t i)
+note_trust_reason(const struct explained *a, const struct trust *t, size_t i)
 {
 	enum trust_cause cause = t->reason[i].cause;
 	answer_note(a->answer, "  %s: %s", tr(LIGHT_NAME[t->reason[i].light]),
@@ -230,9 +230,10 @@ say_trust_reason(const struct explained *a, const struct trust *t, size_t i)
 
 /* If the light is green, says so first, and why. */
 static void
-say_if_trust_is_green(const struct explained *a, const struct trust *t)
+explain_if_trust_is_green(const struct explained *a, const struct trust *t)
 {
-	const struct evidence *e = evidence_on_calibration(a->s, a->entry);
+	const struct evidence *e =
+	    trust_evidence_of_calibration(a->s, a->entry);
 	if (t->n > 0)
 		return;
 	answer_note(a->answer,
@@ -264,40 +265,41 @@ say_if_trust_is_green(const struct explained *a, const struct trust *t)
 /* States the light, unless it is green, with its reasons and the remarks, and
  * puts it into the fields. */
 static void
-say_trust_light(const struct explained *a, const struct trust *t)
+note_trust_light(const struct explained *a, const struct trust *t)
 {
 	if (t->n > 0)
-		answer_say(a->answer,
+		answer_add_sentence(a->answer,
 		    t->light == LIGHT_RED ? ANSWER_WARNING : ANSWER_PLAIN,
 		    t->light == LIGHT_RED
 			? N_("Trust is red: do not rely on this answer")
 			: N_("Trust is amber"));
 	for (size_t i = 0; i < t->n; i++)
-		say_trust_reason(a, t, i);
+		note_trust_reason(a, t, i);
 	for (size_t i = 0; i < t->remarks; i++)
 		answer_note(a->answer, "  remark: %s", t->remark[i]);
-	trust_put_fields(answer_fields(a->answer), t);
+	trust_put_fields(answer_json_fields(a->answer), t);
 }
 
 static void
-say_origin_of_parameters(const struct explained *a, bool green)
+note_origin_of_parameters(const struct explained *a, bool green)
 {
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
-		FREED char *details = origin_training_text(entry->origin);
+		FREED char *details =
+		    origin_training_speeds_text(entry->origin);
 		bool own = entry->origin->from[0] == '\0';
 		answer_note(a->answer,
 		    "The parameters were %s%s%s%s, not calibrated on this "
 		    "site's runs",
-		    origin_source_text(entry), own ? "" : " (",
+		    origin_of_params_text(entry), own ? "" : " (",
 		    own ? "" : details, own ? "" : ")");
 		return;
 	}
 	FREED char *flat = xstrdup("");
 	const struct breakage *of = breakage_model_of_params(&fit->params);
 	for (size_t j = 0; j < of->n; j++)
-		if (fit_is_param_in_flat_direction(fit, j))
+		if (fit_is_param_poorly_determined(fit, j))
 			xappend_to_list(
 			    &flat, tr(" and "), "%s", of->parameter[j].name);
 	if (flat[0] != '\0')
@@ -317,7 +319,7 @@ say_origin_of_parameters(const struct explained *a, bool green)
 /* Compares with a measured product at exactly this speed that was not used for
  * training. */
 static void
-say_held_out_difference(const struct explained *a)
+note_held_out_difference(const struct explained *a)
 {
 	const struct site *site = a->entry->site;
 	size_t r = site_run_at_speed(site, a->p.speed);
@@ -332,7 +334,7 @@ say_held_out_difference(const struct explained *a)
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, v.speed, NAN);
 		answer_note(a->answer,
-		    validation_loses_to_interpolation(&v)
+		    validation_is_interpolation_better(&v)
 			? N_("The held-out product measured at %g m/s%s%s "
 			     "differs from the prediction by %.2f points on "
 			     "average; a straight line through the training "
@@ -347,9 +349,9 @@ say_held_out_difference(const struct explained *a)
 
 /* Says what the site file states about its data. */
 static void
-say_data_provenance(const struct explained *a)
+note_data_provenance(const struct explained *a)
 {
-	FREED char *from = site_source_clause(a->entry->site, "");
+	FREED char *from = site_provenance_first_clause(a->entry->site, "");
 	if (strcmp(site_data_kind(from), "not stated") == 0)
 		answer_note(a->answer,
 		    "The site file does not state where its data are from");
@@ -375,14 +377,14 @@ struct mass_change {
 static char *
 size_class_text(const struct psd *feed, size_t i)
 {
-	double finer = i + 1 < feed->n ? units_mm(feed->size[i + 1]) : 0;
-	return xasprintf("%g/%g", finer, units_mm(feed->size[i]));
+	double finer = i + 1 < feed->n ? units_m_to_mm(feed->size[i + 1]) : 0;
+	return xasprintf("%g/%g", finer, units_m_to_mm(feed->size[i]));
 }
 
 /* Adds the cells to the right of the class: the feed, three for each speed, and
  * the change. */
 static void
-add_balance_cells(
+add_mass_balance_cells(
     struct answer *r, const double feed, double at[2][3], double change)
 {
 	answer_add_cells(r, "%.1f", 100 * feed);
@@ -395,18 +397,18 @@ add_balance_cells(
 /* For people: what stays in each class, broken or not, what leaves it and what
  * comes in.  stay + left is the feed, stay + came the product. */
 static void
-add_class_rows_for_people(struct answer *r, const struct mass_change *b)
+add_size_class_rows_for_people(struct answer *r, const struct mass_change *b)
 {
 	double sum[2][3] = {{0}}, feed = 0, all = 0;
-	answer_columns(r, "class: on mm, feed_pct: feed %%");
+	answer_add_columns(r, "class: on mm, feed_pct: feed %%");
 	for (size_t k = 0; k < 2; k++) {
 		double v = b->p[k].speed;
-		answer_columns(r,
+		answer_add_columns(r,
 		    "stay_%zu: stay %g, left_%zu: left %g, "
 		    "came_%zu: came %g",
 		    k, v, k, v, k, v);
 	}
-	answer_columns(r, "change");
+	answer_add_columns(r, "change");
 	for (size_t i = 0; i < b->feed->n; i++) {
 		double at[2][3];
 		for (size_t k = 0; k < 2; k++) {
@@ -421,29 +423,31 @@ add_class_rows_for_people(struct answer *r, const struct mass_change *b)
 		feed += b->of[0].feed[i];
 		all += change;
 		if (i + 1 < b->feed->n)
-			answer_text(r, "%g", units_mm(b->feed->size[i + 1]));
+			answer_add_text_cell(
+			    r, "%g", units_m_to_mm(b->feed->size[i + 1]));
 		else
-			answer_text(r, "pan");
-		add_balance_cells(r, b->of[0].feed[i], at, change);
+			answer_add_text_cell(r, "pan");
+		add_mass_balance_cells(r, b->of[0].feed[i], at, change);
 	}
-	answer_text(r, "sum");
+	answer_add_text_cell(r, "sum");
 	/* A sum of -0.0 is shown as 0.0. */
-	add_balance_cells(r, feed, sum, fabs(all) < 1e-9 ? 0 : all);
+	add_mass_balance_cells(r, feed, sum, fabs(all) < 1e-9 ? 0 : all);
 }
 
 /* For programs: a row for each speed and class. */
 static void
-add_class_rows_for_programs(struct answer *r, const struct mass_change *b)
+add_size_class_rows_for_programs(struct answer *r, const struct mass_change *b)
 {
-	answer_columns(r, "speed, from_mm, to_mm, feed_pct, unbroken_pct, "
-			  "within_pct, left_pct, arrived_pct, product_pct");
+	answer_add_columns(r, "speed, from_mm, to_mm, feed_pct, unbroken_pct, "
+			      "within_pct, left_pct, arrived_pct, product_pct");
 	for (size_t k = 0; k < 2; k++) {
 		const struct mass_balance *l = &b->of[k];
 		for (size_t i = 0; i < l->n; i++)
 			answer_add_cells(r, "%g %g %g %g %g %g %g %g %g",
 			    b->p[k].speed,
-			    i + 1 < l->n ? units_mm(b->feed->size[i + 1]) : 0,
-			    units_mm(b->feed->size[i]), 100 * l->feed[i],
+			    i + 1 < l->n ? units_m_to_mm(b->feed->size[i + 1])
+					 : 0,
+			    units_m_to_mm(b->feed->size[i]), 100 * l->feed[i],
 			    100 * l->unbroken[i], 100 * l->within[i],
 			    100 * l->left[i], 100 * l->arrived[i],
 			    100 * l->product[i]);
@@ -459,9 +463,9 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 	 * arrives. */
 	bool faster = b->p[1].speed > b->p[0].speed;
 	const struct mass_balance *low = faster ? a : z, *high = faster ? z : a;
-	size_t out = mass_balance_class_of_largest(high->left, low->left, a->n);
+	size_t out = mass_balance_largest_class(high->left, low->left, a->n);
 	size_t in =
-	    mass_balance_class_of_largest(high->arrived, low->arrived, a->n);
+	    mass_balance_largest_class(high->arrived, low->arrived, a->n);
 	FREED char *from = size_class_text(b->feed, out),
 		   *to = size_class_text(b->feed, in);
 	FREED char *rpm = rotor_speed_rpm_text(
@@ -483,7 +487,8 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 			     "missing in %s mm"),
 		    b->p[0].speed, b->p[1].speed, rpm, 100 * fabs(more),
 		    100 * a->broken, 100 * z->broken, from, to);
-	fields_put_values(answer_fields(r), "broken_change_pct %g", 100 * more);
+	fields_put_values(
+	    answer_json_fields(r), "broken_change_pct %g", 100 * more);
 }
 
 /* Returns the largest difference, with its sign, between the change of the
@@ -506,34 +511,35 @@ largest_change_not_in_model(const struct mass_change *b, double *sieve)
 }
 
 static void
-note_correction_of_change(struct answer *r, const struct mass_change *b)
+note_balance_ignores_correction(struct answer *r, const struct mass_change *b)
 {
 	double sieve = 0, most = largest_change_not_in_model(b, &sieve);
 	bool corrected = b->p[0].low != NULL;
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "On each sieve, in %% of the feed's mass: stay + left = feed, "
 	    "stay + came = product; what breaks and is still in its class "
 	    "stays");
 	if (corrected)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "The mass balance is that of the model alone, because its "
 		    "correction cannot be divided among classes; in the "
 		    "corrected answer, the change in passing differs by up to "
 		    "%.2f points (at %g mm)",
-		    100 * fabs(most), units_mm(sieve));
+		    100 * fabs(most), units_m_to_mm(sieve));
 	else
-		answer_say(
+		answer_add_sentence(
 		    r, ANSWER_REMARK, "The mass balance is of the model alone");
-	fields_put_values(answer_fields(r), "answer_differs_pct %g",
+	fields_put_values(answer_json_fields(r), "answer_differs_pct %g",
 	    corrected ? 100 * most : NAN);
 }
 
 static void
-put_balance_fields(struct fields *o, const struct mass_change *b)
+put_mass_balance_fields(struct fields *o, const struct mass_change *b)
 {
 	size_t n = b->feed->n;
-	fields_put_numbers(o, "sieve_mm", b->feed->size, n, units_mm);
-	fields_put_numbers(o, "feed_pct", b->of[0].feed, n, units_pct);
+	fields_put_numbers(o, "sieve_mm", b->feed->size, n, units_m_to_mm);
+	fields_put_numbers(
+	    o, "feed_pct", b->of[0].feed, n, units_fraction_to_pct);
 	struct fields *list = fields_add_list(o, "at");
 	for (size_t k = 0; k < 2; k++) {
 		const struct mass_balance *l = &b->of[k];
@@ -543,11 +549,15 @@ put_balance_fields(struct fields *o, const struct mass_change *b)
 		    answers_is_speed_extrapolated(b->q->entry, b->p[k].speed),
 		    100 * l->broken);
 		fields_put_numbers(
-		    at, "unbroken_pct", l->unbroken, n, units_pct);
-		fields_put_numbers(at, "within_pct", l->within, n, units_pct);
-		fields_put_numbers(at, "left_pct", l->left, n, units_pct);
-		fields_put_numbers(at, "arrived_pct", l->arrived, n, units_pct);
-		fields_put_numbers(at, "product_pct", l->product, n, units_pct);
+		    at, "unbroken_pct", l->unbroken, n, units_fraction_to_pct);
+		fields_put_numbers(
+		    at, "within_pct", l->within, n, units_fraction_to_pct);
+		fields_put_numbers(
+		    at, "left_pct", l->left, n, units_fraction_to_pct);
+		fields_put_numbers(
+		    at, "arrived_pct", l->arrived, n, units_fraction_to_pct);
+		fields_put_numbers(
+		    at, "product_pct", l->product, n, units_fraction_to_pct);
 	}
 }
 
@@ -557,27 +567,27 @@ show_mass_balance(struct mass_change *b)
 	const struct entry *entry = b->q->entry;
 	FREED char *rpm = rotor_speed_rpm_text(
 	    entry->site->rotor, b->p[0].speed, b->p[1].speed);
-	struct answer *r = answer_about_site(entry->site, "why",
+	struct answer *r = answer_new_about_site(entry->site, "why",
 	    "where the mass goes, %g and %g m/s%s", b->p[0].speed,
 	    b->p[1].speed, rpm);
-	add_class_rows_for_people(r, b);
+	add_size_class_rows_for_people(r, b);
 	answer_begin_table_for_programs(r);
-	add_class_rows_for_programs(r, b);
+	add_size_class_rows_for_programs(r, b);
 	note_where_mass_goes(r, b);
-	note_correction_of_change(r, b);
+	note_balance_ignores_correction(r, b);
 	for (size_t k = 0; k < 2; k++) {
 		double v = b->p[k].speed;
 		FREED char *own =
 		    rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 		if (answers_is_speed_extrapolated(entry, v))
-			answer_say(r, ANSWER_WARNING,
+			answer_add_sentence(r, ANSWER_WARNING,
 			    "%g m/s%s is outside the training speeds", v, own);
 	}
 	answer_note(r, "picture: plot psd speed=%g other=%g", b->p[0].speed,
 	    b->p[1].speed);
-	put_balance_fields(answer_fields(r), b);
-	answers_show_basis(b->s, r, b->q, 0, false,
-	    trust_worst_of_several(b->s, entry, b->p, 2));
+	put_mass_balance_fields(answer_json_fields(r), b);
+	answers_note_basis_and_trust(b->s, r, b->q, 0, false,
+	    trust_worst_of_predictions(b->s, entry, b->p, 2));
 	session_show_answer(b->s, r);
 }
 
@@ -602,7 +612,7 @@ explain_change_between_speeds(struct session *s, const struct args *args,
 	for (size_t k = 0; k < 2; k++) {
 		b.p[k] = forecast_whole_product(s, entry, v[k], q->feed);
 		b.of[k] = mass_balance_new(b.feed, &entry->params,
-		    model_settings_of_answer(s, entry), v[k]);
+		    model_settings_with_scenario(s, entry), v[k]);
 	}
 	show_mass_balance(&b);
 	for (size_t k = 0; k < 2; k++) {
@@ -631,31 +641,31 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	    .feed = question_feed(q),
 	    .p = forecast_whole_product(s, entry, v, q->feed),
 	    .rpm = rpm,
-	    .answer = answer_about_site(entry->site, "why",
+	    .answer = answer_new_about_site(entry->site, "why",
 		by != NULL
 		    ? N_("why, at %.4g m/s%s, the speed that '%s' showed")
 		    : N_("why, at %.4g m/s%s"),
 		v, rpm, by)};
 	struct trust trust = trust_in_answer_or_fit(s, entry, &a.p);
-	fields_put_values(answer_fields(a.answer), "speed %g", v);
-	bool breaks = !fit_nothing_breaks(entry_without_scenario(entry));
+	fields_put_values(answer_json_fields(a.answer), "speed %g", v);
+	bool breaks = !fit_has_no_breakage(entry_without_scenario(entry));
 	answers_warn_if_nothing_breaks(a.answer, entry);
-	say_if_trust_is_green(&a, &trust);
+	explain_if_trust_is_green(&a, &trust);
 	if (breaks) {
-		say_what_breaks(&a);
-		say_if_little_breaks(&a);
-		say_if_speed_hardly_matters(&a);
+		note_what_breaks(&a);
+		note_if_little_breaks(&a);
+		note_if_speed_hardly_matters(&a);
 	}
-	say_share_in_fraction(&a);
-	say_if_within_training_speeds(&a);
+	note_share_in_fraction(&a);
+	note_whether_in_training_range(&a);
 	if (breaks)
-		say_held_out_difference(&a);
-	say_trust_light(&a, &trust);
+		note_held_out_difference(&a);
+	note_trust_light(&a, &trust);
 	if (breaks)
-		say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
-	say_data_provenance(&a);
+		note_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
+	note_data_provenance(&a);
 	feed_note_how_to_set_top_size(a.answer, entry->site);
-	feed_note_in_answer(a.answer, entry->site, q->feed, NULL, 0);
+	feed_add_note_to_answer(a.answer, entry->site, q->feed, NULL, 0);
 	if (breaks && a.p.low != NULL)
 		answer_note(a.answer,
 		    "'advise' names the sample that would narrow the band "

@@ -29,7 +29,7 @@ struct window_request {
 
 /* Takes the conditions of the session's goal if the call has none. */
 static bool
-take_session_goal_conditions(
+add_session_goal_conditions(
     struct session *s, struct window_request *a, struct error *error)
 {
 	size_t n_value = 0;
@@ -49,7 +49,7 @@ parse_window_conditions(struct session *s, const struct args *args,
     struct window_request *a, struct error *error)
 {
 	if (!conditions_add_from_args(s, args, a->q, &a->list, error) ||
-	    !take_session_goal_conditions(s, a, error))
+	    !add_session_goal_conditions(s, a, error))
 		return false;
 	return a->list.n > 0 || error_set(error, ERROR_USAGE,
 				    "expected conditions, got none\n"
@@ -132,7 +132,7 @@ note_margin_to_limit(struct answer *r, const struct window_request *a)
 /* True if the conditions hold at none of the site's speeds and the best speed
  * is outside the training speeds. */
 static bool
-is_window_beyond_runs(const struct window_request *a)
+is_window_beyond_measured_speeds(const struct window_request *a)
 {
 	const struct site *site = a->wanted.entry->site;
 	const struct speed_search *w = a->w;
@@ -146,7 +146,7 @@ is_window_beyond_runs(const struct window_request *a)
 }
 
 static bool
-is_any_run_searched(const struct window_request *a)
+is_any_run_in_searched_range(const struct window_request *a)
 {
 	const struct site *site = a->wanted.entry->site;
 	bool any = false;
@@ -158,13 +158,15 @@ is_any_run_searched(const struct window_request *a)
 
 /* Notes all speeds at which the answer meets the conditions. */
 static void
-note_speeds_met(struct answer *r, const struct window_request *a, bool no_run)
+note_speeds_meeting_conditions(
+    struct answer *r, const struct window_request *a, bool no_run)
 {
-	FREED char *speeds = conditions_met_speeds_with_units(&a->wanted, a->w);
+	FREED char *speeds =
+	    conditions_met_speeds_text_with_units(&a->wanted, a->w);
 	bool several = a->list.n > 1;
 	FREED char *rpm = rotor_speed_rpm_text(
 	    a->wanted.entry->site->rotor, a->wanted.from, a->wanted.to);
-	if (no_run && !is_any_run_searched(a))
+	if (no_run && !is_any_run_in_searched_range(a))
 		answer_note(r,
 		    several ? N_("no speed from %g to %g m/s%s was measured: "
 				 "by the model all conditions hold at %s")
@@ -190,12 +192,12 @@ note_if_window_extrapolated(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_best_range(a->w);
 	double slowest, fastest;
-	if (!origin_known_speed_range(a->q->entry, &slowest, &fastest) ||
+	if (!origin_training_speed_range(a->q->entry, &slowest, &fastest) ||
 	    (in->from >= slowest && in->to <= fastest))
 		return;
 	FREED char *reach =
-	    answers_known_speeds_text(a->q->entry, slowest, fastest);
-	answer_say(
+	    answers_training_range_text(a->q->entry, slowest, fastest);
+	answer_add_sentence(
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
@@ -206,10 +208,10 @@ static void
 note_speeds_in_window(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_best_range(a->w);
-	bool no_run = is_window_beyond_runs(a);
+	bool no_run = is_window_beyond_measured_speeds(a);
 	if (a->detail || no_run || a->w->n_inside > 1 ||
 	    !isfinite(a->w->sure[0]))
-		note_speeds_met(r, a, no_run);
+		note_speeds_meeting_conditions(r, a, no_run);
 	if (a->detail)
 		note_binding_conditions(r, a);
 	conditions_note_unsearched_speeds(r, &a->wanted,
@@ -222,11 +224,12 @@ note_speeds_in_window(struct answer *r, const struct window_request *a)
 }
 
 static void
-put_certain_speeds(struct fields *o, const struct window_request *a)
+put_certainty_fields(struct fields *o, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	if (isfinite(w->sure[0]))
-		answers_put_low_high(o, "certain", w->sure[0], w->sure[1]);
+		answers_put_low_high_field(
+		    o, "certain", w->sure[0], w->sure[1]);
 	else
 		fields_put_number(o, "certain", NAN);
 	fields_put_values(o, "certainty_pct %g level %g slowest_safe %g",
@@ -268,7 +271,7 @@ put_window_fields(
 
 /* Notes the plot that shows the same.  It has no from= and to=. */
 static void
-note_equivalent_plot(struct answer *r, const struct args *args)
+note_plot_command_showing_same(struct answer *r, const struct args *args)
 {
 	FREED char *limits = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
@@ -304,9 +307,9 @@ begin_window_answer(const struct window_request *a)
 	bool several = a->list.n > 1;
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, v, NAN);
 	if (a->w->n_inside > 0)
-		return answer_about_site(site, "window", "%s at %.1f m/s%s",
+		return answer_new_about_site(site, "window", "%s at %.1f m/s%s",
 		    several ? tr("conditions") : tr("the condition"), v, rpm);
-	return answer_about_site(site, "window",
+	return answer_new_about_site(site, "window",
 	    several ? N_("no speed meets the conditions; at %.1f m/s%s")
 		    : N_("no speed meets the condition; at %.1f m/s%s"),
 	    v, rpm);
@@ -319,25 +322,26 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	struct window_request a = {.q = q, .detail = args->detail};
 	double from, to;
-	bool ok = conditions_speed_range_of_args(
+	bool ok = conditions_parse_search_range(
 		      s, args, entry->site, &from, &to, error) &&
 		  parse_window_conditions(s, args, &a, error);
 	if (ok) {
 		search_speed_window(s, &a, from, to);
 		struct answer *r = begin_window_answer(&a);
-		conditions_add_rows(r, &a.wanted, a.w);
-		conditions_put_list(answer_fields(r), &a.wanted, a.w);
+		conditions_add_answer_rows(r, &a.wanted, a.w);
+		conditions_put_fields(answer_json_fields(r), &a.wanted, a.w);
 		note_window_result(r, s, &a);
-		put_window_fields(answer_fields(r), &a,
+		put_window_fields(answer_json_fields(r), &a,
 		    answers_is_speed_extrapolated(entry, a.w->best));
-		put_certain_speeds(answer_fields(r), &a);
+		put_certainty_fields(answer_json_fields(r), &a);
 		answer_repeat_fields_in_rows(
 		    r, "best certainty_pct best_trust");
 		if (a.detail)
-			note_equivalent_plot(r, args);
+			note_plot_command_showing_same(r, args);
 		conditions_note_source_of_limits(r, &a.list);
-		conditions_show_basis(r, q, &a.wanted, a.w, a.w->best);
-		session_keep_last_asked(s, a.w->best, &a.list.at[0].quantity);
+		conditions_note_basis_and_trust(
+		    r, q, &a.wanted, a.w, a.w->best);
+		session_set_last_question(s, a.w->best, &a.list.at[0].quantity);
 		s->last_asked.found_by = "window";
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);

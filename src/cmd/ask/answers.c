@@ -30,16 +30,17 @@ void
 answers_put_feed_and_machine(struct answer *r, const struct site *site)
 {
 	if (site->feed_from[0] != '\0')
-		fields_put_values(answer_fields(r), "feed %s", site->feed_from);
+		fields_put_values(
+		    answer_json_fields(r), "feed %s", site->feed_from);
 	if (site->with[0] != '\0')
-		fields_put_values(answer_fields(r), "with %s", site->with);
+		fields_put_values(answer_json_fields(r), "with %s", site->with);
 	if (site->feed_from[0] != '\0')
 		answer_repeat_fields_in_rows(r, "feed");
 	answer_repeat_fields_in_rows(r, "with");
 }
 
 struct answer *
-answer_about_site(
+answer_new_about_site(
     const struct site *site, const char *command, const char *format, ...)
 {
 	struct answer *r = answer_new(command);
@@ -48,7 +49,7 @@ answer_about_site(
 	FREED char *title = xvasprintf(tr(format), ap),
 		   *label = session_site_label(site);
 	va_end(ap);
-	answer_title(r, "%s: %s", label, title);
+	answer_set_title(r, "%s: %s", label, title);
 	answer_set_site(r, site->name, site->provenance);
 	answers_put_feed_and_machine(r, site);
 	return r;
@@ -59,7 +60,7 @@ answers_require_params(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (entry->has_params)
-		return fit_check_settings_agree(
+		return fit_check_settings_allow_model(
 		    &s->set.model, entry->params.breakage, error);
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
@@ -73,9 +74,9 @@ answers_require_params(
 }
 
 bool
-answers_require_params_of_current(struct session *s, struct error *error)
+answers_require_params_current_site(struct session *s, struct error *error)
 {
-	return answers_require_params(s, session_current_entry(s), error);
+	return answers_require_params(s, session_current_site_entry(s), error);
 }
 
 bool
@@ -95,7 +96,7 @@ bool
 answers_is_speed_extrapolated(const struct entry *entry, double speed)
 {
 	double slowest, fastest;
-	return !origin_known_speed_range(entry, &slowest, &fastest) ||
+	return !origin_training_speed_range(entry, &slowest, &fastest) ||
 	       speed < slowest - 1e-9 || speed > fastest + 1e-9;
 }
 
@@ -150,7 +151,7 @@ answers_default_passing_quantity(const struct psd *product)
 }
 
 char *
-speed_as_typed(const struct site *site, double speed)
+speed_text_in_typed_unit(const struct site *site, double speed)
 {
 	double rotor = site->rotor;
 	double rpm = rotor > 0 ? round(rotor_speed_to_rpm(speed, rotor)) : 0;
@@ -165,7 +166,7 @@ answers_is_sheet_in_rpm(const struct site *site)
 	bool tenths = true;
 	for (size_t r = 0; site != NULL && r < site->n_run; r++) {
 		double v = site->run[r].speed;
-		FREED char *typed = speed_as_typed(site, v);
+		FREED char *typed = speed_text_in_typed_unit(site, v);
 		if (v > 0 && strstr(typed, "rpm") == NULL)
 			return false;
 		tenths = tenths && fabs(10 * v - round(10 * v)) < 1e-6;
@@ -174,7 +175,7 @@ answers_is_sheet_in_rpm(const struct site *site)
 }
 
 double
-answers_speed_number(const struct site *site, double speed)
+answers_speed_in_sheet_unit(const struct site *site, double speed)
 {
 	return answers_is_sheet_in_rpm(site)
 		   ? round(rotor_speed_to_rpm(speed, site->rotor))
@@ -190,7 +191,7 @@ answers_speed_unit(const struct site *site)
 char *
 answers_speed_text(const struct site *site, double speed, int decimals)
 {
-	double number = answers_speed_number(site, speed);
+	double number = answers_speed_in_sheet_unit(site, speed);
 	if (answers_is_sheet_in_rpm(site))
 		return xasprintf(tr("%.0f rpm"), number);
 	return decimals < 0 ? xasprintf("%g m/s", number)
@@ -201,8 +202,8 @@ char *
 answers_speed_range_words(
     const struct site *site, double from, double to, bool brief)
 {
-	double low = answers_speed_number(site, from),
-	       high = answers_speed_number(site, to);
+	double low = answers_speed_in_sheet_unit(site, from),
+	       high = answers_speed_in_sheet_unit(site, to);
 	const char *unit = answers_speed_unit(site);
 	return brief ? xasprintf("%g..%g %s", low, high, unit)
 		     : xasprintf(tr("%g to %g %s"), low, high, unit);
@@ -254,13 +255,14 @@ answers_list_few_round_speeds(
 }
 
 void
-answers_keep_newest_prediction(struct session *s, const struct entry *entry,
+answers_store_newest_prediction(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p)
 {
 	struct answer *answer = answer_new("predict");
-	answers_put_prediction(s, answer_fields(answer), entry, params, p);
-	session_keep_newest_answer(s, answer);
-	session_keep_last_asked(s, p->speed, NULL);
+	answers_put_prediction_fields(
+	    s, answer_json_fields(answer), entry, params, p);
+	session_store_newest_answer(s, answer);
+	session_set_last_question(s, p->speed, NULL);
 }
 
 static char *
@@ -268,7 +270,7 @@ size_beyond_sieves_text(const struct psd *psd, double passing)
 {
 	bool fine = psd->passing[psd->n - 1] >= passing;
 	return xasprintf("%s %g", fine ? tr("below") : tr("above"),
-	    units_mm(psd->size[fine ? psd->n - 1 : 0]));
+	    units_m_to_mm(psd->size[fine ? psd->n - 1 : 0]));
 }
 
 double
@@ -283,7 +285,7 @@ answers_add_size_cell(struct answer *r, const struct prediction *p, size_t i)
 	FREED char *words = i == ANSWERS_BREAK ? xstrdup(tr("none"))
 					       : size_beyond_sieves_text(
 						     &p->curve, PSD_PASSING[i]);
-	answer_set_missing(r, words);
+	answer_set_missing_text(r, words);
 	answer_add_cells(r, "%.2f", answers_product_size_mm(p, i));
 }
 
@@ -291,7 +293,7 @@ answers_add_size_cell(struct answer *r, const struct prediction *p, size_t i)
  * its unit.  If there is a range, it follows: " (2.75 to 2.90)".  Its lower end
  * may be below the finest sieve. */
 static void
-append_size_with_range(
+append_p_size_with_range(
     char **list, const struct psd *psd, size_t i, const double *range)
 {
 	double x = psd_size_at_passing(psd, PSD_PASSING[i]);
@@ -308,15 +310,15 @@ append_size_with_range(
 		    1000 * range[1]);
 	else
 		xappend(list, tr(" (below %g to %.2f)"),
-		    units_mm(psd->size[psd->n - 1]), 1000 * range[1]);
+		    units_m_to_mm(psd->size[psd->n - 1]), 1000 * range[1]);
 }
 
 void
-answers_note_sizes(struct answer *r, const struct prediction *p)
+answers_note_p_sizes(struct answer *r, const struct prediction *p)
 {
 	FREED char *sizes = xstrdup("");
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		append_size_with_range(&sizes, &p->curve, i, p->range[i]);
+		append_p_size_with_range(&sizes, &p->curve, i, p->range[i]);
 	answer_note(r, "%s", sizes);
 }
 
@@ -329,16 +331,17 @@ note_model_if_not_of_paper(
 	if (!entry->has_params)
 		return;
 	if (own != set)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "these parameters belong to model %s; %s is set: "
 		    "'calibrate' finds its own",
 		    BREAKAGES[own]->name, BREAKAGES[set]->name);
 	else if (own > 0)
-		answer_say(r, ANSWER_REMARK, "model: %s", BREAKAGES[own]->name);
+		answer_add_sentence(
+		    r, ANSWER_REMARK, "model: %s", BREAKAGES[own]->name);
 }
 
 char *
-answers_known_speeds_text(
+answers_training_range_text(
     const struct entry *entry, double slowest, double fastest)
 {
 	bool trained = origin_has_training_speeds(entry),
@@ -358,19 +361,19 @@ answers_known_speeds_text(
 
 /* Notes what the sheet of another feed leaves open. */
 static void
-note_other_feed_unstated(struct answer *r, const struct entry *entry)
+note_data_missing_for_other_feed(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	const struct psd *feed = &site->run[site->n_run - 1].feed;
 	size_t n;
 	FREED double *sieve = site_all_sieves(site, &n);
 	if (!psd_covers_size(feed, sieve[n - 1]))
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "nothing is known below %g mm: the feed was not sieved "
 		    "that fine",
-		    units_mm(feed->size[feed->n - 1]));
+		    units_m_to_mm(feed->size[feed->n - 1]));
 	if (entry->scenario->rock[0] == '\0' && site->rock[0] != '\0')
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "rock of the feed not stated; that of the site assumed "
 		    "(%s)",
 		    site->rock);
@@ -384,18 +387,19 @@ note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 	if (w == NULL)
 		return;
 	if (w->feed != NULL)
-		note_other_feed_unstated(r, entry);
-	if (w->rotor > 0 && !(entry_rotor_of_params(w->own) > 0))
-		answer_say(r, ANSWER_REMARK,
+		note_data_missing_for_other_feed(r, entry);
+	if (w->rotor > 0 && !(entry_rotor_of_calibration(w->own) > 0))
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "measured rotor not stated; %g mm assumed",
-		    units_mm(w->rotor));
+		    units_m_to_mm(w->rotor));
 }
 
 void
 answers_warn_if_nothing_breaks(struct answer *r, const struct entry *entry)
 {
-	if (fit_nothing_breaks(entry_without_scenario(entry)))
-		answer_say(r, ANSWER_WARNING, "%s", tr(FIT_NOTHING_BREAKS));
+	if (fit_has_no_breakage(entry_without_scenario(entry)))
+		answer_add_sentence(
+		    r, ANSWER_WARNING, "%s", tr(FIT_NOTHING_BREAKS));
 }
 
 /* Warns of a speed beyond the measured ones, unless the light does so. */
@@ -406,63 +410,64 @@ warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
 	double slowest, fastest;
 	if ((light->n > 0 && light->reason[0].cause == TRUST_BEYOND) ||
 	    !(speed > 0) ||
-	    !origin_known_speed_range(entry, &slowest, &fastest) ||
+	    !origin_training_speed_range(entry, &slowest, &fastest) ||
 	    !answers_is_speed_extrapolated(entry, speed))
 		return;
-	FREED char *speeds = answers_known_speeds_text(entry, slowest, fastest);
+	FREED char *speeds =
+	    answers_training_range_text(entry, slowest, fastest);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, speed, NAN);
-	answer_say(r, ANSWER_WARNING, "%.*f m/s%s is outside the %s",
+	answer_add_sentence(r, ANSWER_WARNING, "%.*f m/s%s is outside the %s",
 	    units_speed_decimals(speed), speed, rpm, speeds);
 }
 
 void
-answers_note_basis_no_light(const struct session *s, struct answer *r,
+answers_note_basis_without_trust(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light)
 {
 	if (whose == NULL)
 		answers_warn_if_nothing_breaks(r, q->entry);
 	warn_beyond_measured_speeds(r, q->entry, speed, light);
-	origin_note_in_answer(r, q->entry);
-	feed_note_in_answer(r, q->entry->site, q->feed, whose, q->moved);
+	origin_add_note_to_answer(r, q->entry);
+	feed_add_note_to_answer(r, q->entry->site, q->feed, whose, q->moved);
 	feed_note_assumed_top_size(r, q->entry->site, whose);
 	note_other_feed_or_machine(r, q->entry);
 	note_model_if_not_of_paper(s, r, q->entry);
 }
 
 void
-answers_show_basis(const struct session *s, struct answer *r,
+answers_note_basis_and_trust(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band, struct trust light)
 {
 	if (band)
 		band_note_meaning(r, s, q->entry, true);
-	answers_note_basis_no_light(s, r, q, speed, NULL, &light);
-	trust_show(r, light);
+	answers_note_basis_without_trust(s, r, q, speed, NULL, &light);
+	trust_add_to_answer(r, light);
 }
 
 void
-answers_show_basis_at_speed(const struct session *s, struct answer *r,
+answers_note_basis_and_trust_at_speed(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band)
 {
 	/* A search that found nothing has no speed. */
-	answers_show_basis(s, r, q, speed, band,
+	answers_note_basis_and_trust(s, r, q, speed, band,
 	    speed > 0 ? trust_at_speed(s, q->entry, speed, q->feed)
 		      : trust_in_answer_or_fit(s, q->entry, NULL));
 }
 
 enum light
-answers_show_fit_basis(const struct session *s, struct answer *r,
+answers_note_fit_basis_and_trust(const struct session *s, struct answer *r,
     const struct entry *entry, bool band)
 {
 	if (band)
 		band_note_meaning(r, s, entry, false);
 	answers_warn_if_nothing_breaks(r, entry);
-	origin_note_in_answer(r, entry);
+	origin_add_note_to_answer(r, entry);
 	feed_note_assumed_top_size(r, entry->site, NULL);
 	note_model_if_not_of_paper(s, r, entry);
 	struct trust trust = trust_in_answer_or_fit(s, entry, NULL);
 	enum light light = trust.light;
-	trust_show(r, trust);
+	trust_add_to_answer(r, trust);
 	return light;
 }
 
@@ -473,13 +478,14 @@ answers_method_name(enum method method)
 }
 
 void
-answers_put_low_high(struct fields *o, const char *key, double low, double high)
+answers_put_low_high_field(
+    struct fields *o, const char *key, double low, double high)
 {
 	fields_put_values(fields_add_list(o, key), "%g %g", low, high);
 }
 
 void
-answers_put_sizes(struct fields *o, const struct prediction *p)
+answers_put_product_size_fields(struct fields *o, const struct prediction *p)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
 		fields_put_number(
@@ -487,11 +493,11 @@ answers_put_sizes(struct fields *o, const struct prediction *p)
 }
 
 void
-answers_put_size_bands(
+answers_put_p_size_bands(
     struct fields *o, const struct session *s, const struct prediction *p)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES && p->low != NULL; i++)
-		answers_put_low_high(o, ANSWERS_SIZE[i].range_key,
+		answers_put_low_high_field(o, ANSWERS_SIZE[i].range_key,
 		    1000 * p->range[i][0], 1000 * p->range[i][1]);
 	if (p->low != NULL)
 		fields_put_values(
@@ -499,7 +505,7 @@ answers_put_size_bands(
 }
 
 void
-answers_put_prediction(const struct session *s, struct fields *o,
+answers_put_prediction_fields(const struct session *s, struct fields *o,
     const struct entry *entry, const struct params *params,
     const struct prediction *p)
 {
@@ -507,23 +513,25 @@ answers_put_prediction(const struct session *s, struct fields *o,
 	fields_put_values(o, "speed %g extrapolated %d method %s", p->speed,
 	    answers_is_speed_extrapolated(entry, p->speed),
 	    answers_method_name(s->set.model.method));
-	fields_put_numbers(o, "sieve_mm", product->size, product->n, units_mm);
 	fields_put_numbers(
-	    o, "passing_pct", product->passing, product->n, units_pct);
-	fields_put_numbers(o, "model_pct", p->model, product->n, units_pct);
-	answers_put_sizes(o, p);
-	screened_put_fields(o, p);
+	    o, "sieve_mm", product->size, product->n, units_m_to_mm);
+	fields_put_numbers(o, "passing_pct", product->passing, product->n,
+	    units_fraction_to_pct);
+	fields_put_numbers(
+	    o, "model_pct", p->model, product->n, units_fraction_to_pct);
+	answers_put_product_size_fields(o, p);
+	screened_put_fraction_fields(o, p);
 	fields_put_values(
 	    o, "model %s", breakage_model_of_params(params)->name);
 	energies_put_field(o, s);
-	fit_put_params(o, params);
+	fit_put_params_in_json(o, params);
 	fields_put_values(
 	    o, ".feed_mps %g", feed_sampling_speed(entry->site, p->feed_run));
 	if (entry->has_fit)
 		fields_put_values(o, "verdict %s", verdict_on_fit(s, entry, p));
 	if (origin_is_from_store(entry->origin))
 		fields_put_values(o, "recalled %s", entry->origin->material);
-	origin_put_fields(o, entry);
+	origin_put_param_source(o, entry);
 }
 
 void
@@ -535,7 +543,7 @@ answers_put_products(const struct session *s, struct fields *o,
 		struct fields *product = fields_add_object(list, NULL);
 		fields_put_values(product, "command %s site %s", "predict",
 		    entry->site->name);
-		answers_put_prediction(
+		answers_put_prediction_fields(
 		    s, product, entry, &entry->params, &p[i]);
 		struct trust light = trust_in_answer_or_fit(s, entry, &p[i]);
 		trust_put_fields(product, &light);
@@ -548,19 +556,19 @@ answers_add_row_per_prediction(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	double rotor = entry->site->rotor;
-	answer_columns(r, "speed: m/s");
+	answer_add_columns(r, "speed: m/s");
 	if (rotor > 0)
-		answer_columns(r, "rpm: rpm");
-	answer_optional_column(r, "energy_j_kg", "J/kg", 1);
-	answer_columns(r, "break_mm: break mm");
+		answer_add_columns(r, "rpm: rpm");
+	answer_add_optional_column(r, "energy_j_kg", "J/kg", 1);
+	answer_add_columns(r, "break_mm: break mm");
 	for (size_t k = 0; k < PSD_SIZES; k++)
-		answer_column(r, ANSWERS_SIZE[k].key, ANSWERS_SIZE[k].head);
+		answer_add_column(r, ANSWERS_SIZE[k].key, ANSWERS_SIZE[k].head);
 	double size = p[0].product.size[p[0].product.n - 1];
 	FREED char *head = fabs(size - QUANTITIES_FINES) < 1e-9
 			       ? xstrdup(tr("fines %"))
-			       : xasprintf("< %g mm, %%", units_mm(size));
-	answer_column(r, "finest_pct", head);
-	answer_columns(r, "extrapolated: extrapolated");
+			       : xasprintf("< %g mm, %%", units_m_to_mm(size));
+	answer_add_column(r, "finest_pct", head);
+	answer_add_columns(r, "extrapolated: extrapolated");
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
@@ -573,7 +581,7 @@ answers_add_row_per_prediction(struct answer *r, const struct entry *entry,
 		for (size_t k = 0; k < PSD_SIZES; k++)
 			answers_add_size_cell(r, &p[i], k);
 		answer_add_cells(r, "%.1f %s",
-		    units_pct(p[i].product.passing[finest]),
+		    units_fraction_to_pct(p[i].product.passing[finest]),
 		    answers_is_speed_extrapolated(entry, p[i].speed)
 			? tr("yes")
 			: tr("no"));

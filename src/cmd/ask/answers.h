@@ -16,18 +16,20 @@
 
 /* Returns a new answer about a site.  Its title is "Tierp, Granite, 11.2 mm: "
  * followed by the formatted text. */
-struct answer *answer_about_site(const struct site *site, const char *command,
-    const char *format, ...) __attribute__((format(printf, 3, 4)));
+struct answer *answer_new_about_site(
+    const struct site *site, const char *command, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Puts the fields "feed" and "with" if the question assumes another feed or
- * machine.  answer_about_site calls it. */
+ * machine.  answer_new_about_site calls it. */
 void answers_put_feed_and_machine(struct answer *r, const struct site *site);
 
 /* Return false if the site, or the current site, has no parameters yet, or if
  * the settings are incompatible; the error says what to do next. */
 bool answers_require_params(
     const struct session *s, const struct entry *entry, struct error *error);
-bool answers_require_params_of_current(struct session *s, struct error *error);
+bool answers_require_params_current_site(
+    struct session *s, struct error *error);
 
 /* Returns true while the site is being calibrated, with the best parameters so
  * far in *params. */
@@ -56,7 +58,7 @@ bool answers_is_sheet_in_rpm(const struct site *site);
  * the sheet is in rpm; else, or if site is NULL, 70.69, "m/s" and "70.69 m/s"
  * or, with one decimal, "70.7 m/s".  decimals: of m/s; -1: as many as it has.
  * The caller frees the text. */
-double answers_speed_number(const struct site *site, double speed);
+double answers_speed_in_sheet_unit(const struct site *site, double speed);
 const char *answers_speed_unit(const struct site *site);
 char *answers_speed_text(const struct site *site, double speed, int decimals);
 
@@ -85,7 +87,7 @@ struct quantity answers_default_passing_quantity(const struct psd *product);
 
 /* Makes a prediction the newest answer of `predict`, and its speed the one last
  * asked about. */
-void answers_keep_newest_prediction(struct session *s,
+void answers_store_newest_prediction(struct session *s,
     const struct entry *entry, const struct params *params,
     const struct prediction *p);
 
@@ -118,43 +120,43 @@ void answers_add_size_cell(
 
 /* Adds the note "P20 1.14 mm, P50 2.91, P80 5.28", with ranges if there is a
  * band: "P20 1.14 mm (1.12 to 1.18)". */
-void answers_note_sizes(struct answer *r, const struct prediction *p);
+void answers_note_p_sizes(struct answer *r, const struct prediction *p);
 
 /* Returns "training speeds, 69 to 79 m/s" or "one measured speed, 72 m/s".  The
  * caller frees it. */
-char *answers_known_speeds_text(
+char *answers_training_range_text(
     const struct entry *entry, double slowest, double fastest);
 
 /* Returns a speed as one would type it: "75.16", or "1450 rpm" if the site
  * states its rotor and the speed is a whole number of rpm.  The caller frees
  * it. */
-char *speed_as_typed(const struct site *site, double speed);
+char *speed_text_in_typed_unit(const struct site *site, double speed);
 
 /* Adds what the answer is based on, after everything else.  With a band: which
  * runs correct the model, and what low and high mean.  Then the source of the
  * parameters, the feed, the model, and the light, which it frees.  speed: that
  * of the answer, with a warning if it is beyond the measured speeds; 0 if it
  * has none. */
-void answers_show_basis(const struct session *s, struct answer *r,
+void answers_note_basis_and_trust(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band, struct trust light);
 
-/* As answers_show_basis, with the light of the answer at that speed or, if
- * speed is 0, with the light of the fit. */
-void answers_show_basis_at_speed(const struct session *s, struct answer *r,
-    const struct question *q, double speed, bool band);
+/* As answers_note_basis_and_trust, with the light of the answer at that speed
+ * or, if speed is 0, with the light of the fit. */
+void answers_note_basis_and_trust_at_speed(const struct session *s,
+    struct answer *r, const struct question *q, double speed, bool band);
 
-/* Warns if fit_nothing_breaks, and says what to do. */
+/* Warns if fit_has_no_breakage, and says what to do. */
 void answers_warn_if_nothing_breaks(
     struct answer *r, const struct entry *entry);
 
 /* Adds what a fit is based on, and returns its light. */
-enum light answers_show_fit_basis(const struct session *s, struct answer *r,
-    const struct entry *entry, bool band);
+enum light answers_note_fit_basis_and_trust(const struct session *s,
+    struct answer *r, const struct entry *entry, bool band);
 
-/* As answers_show_basis, but without band and light, for one of two products.
- * whose: the owner of the feed in words, or NULL.  light: if it warns of the
- * speed, no other warning does. */
-void answers_note_basis_no_light(const struct session *s, struct answer *r,
+/* As answers_note_basis_and_trust, but without band and light, for one of two
+ * products. whose: the owner of the feed in words, or NULL.  light: if it warns
+ * of the speed, no other warning does. */
+void answers_note_basis_without_trust(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light);
 
@@ -164,23 +166,25 @@ void answers_note_basis_no_light(const struct session *s, struct answer *r,
 void answers_add_row_per_prediction(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n);
 
-/* answers_put_low_high puts the list [low, high]; answers_put_sizes puts the
- * sizes of a prediction, "p20_mm" to "break_mm". */
-void answers_put_low_high(
+/* answers_put_low_high_field puts the list [low, high];
+ * answers_put_product_size_fields puts the sizes of a prediction, "p20_mm" to
+ * "break_mm". */
+void answers_put_low_high_field(
     struct fields *o, const char *key, double low, double high);
-void answers_put_sizes(struct fields *o, const struct prediction *p);
+void answers_put_product_size_fields(
+    struct fields *o, const struct prediction *p);
 
 /* If the prediction has a band, puts the ranges of its sizes and "level". */
-void answers_put_size_bands(
+void answers_put_p_size_bands(
     struct fields *o, const struct session *s, const struct prediction *p);
 
 /* Returns "classes" or "continuous". */
 const char *answers_method_name(enum method method);
 
-/* answers_put_prediction puts the fields of `predict`, see OUTPUT in
+/* answers_put_prediction_fields puts the fields of `predict`, see OUTPUT in
  * tipspeed(1); answers_put_products puts a list of these objects, "products".
  */
-void answers_put_prediction(const struct session *s, struct fields *o,
+void answers_put_prediction_fields(const struct session *s, struct fields *o,
     const struct entry *entry, const struct params *params,
     const struct prediction *p);
 void answers_put_products(const struct session *s, struct fields *o,

@@ -13,7 +13,7 @@ question_of_whole_product(
 }
 
 void
-session_keep_last_asked(
+session_set_last_question(
     struct session *s, double speed, const struct quantity *of)
 {
 	s->last_asked = (struct last_asked){.speed = speed};

@@ -46,7 +46,7 @@ struct question question_of_whole_product(
 
 /* Keeps the speed that was last asked about and, unless NULL, the quantity that
  * was named.  A step between sieves is not kept, because it borrows them. */
-void session_keep_last_asked(
+void session_set_last_question(
     struct session *s, double speed, const struct quantity *of);
 
 #endif

@@ -44,7 +44,7 @@ provenance_rank(const struct site *sheet)
  * any.  The least trustworthy comes first, because the first word decides how
  * the blend is classified. */
 static char *
-provenance_clauses(const struct blended *b)
+join_provenance_clauses(const struct blended *b)
 {
 	char *list = xstrdup("");
 	bool any = false;
@@ -52,7 +52,7 @@ provenance_clauses(const struct blended *b)
 		for (size_t i = 0; i < b->n; i++) {
 			const struct site *sheet = b->part[i].sheet;
 			FREED char *one =
-			    site_source_clause(sheet, "not stated");
+			    site_provenance_first_clause(sheet, "not stated");
 			if (provenance_rank(sheet) == rank &&
 			    strstr(list, one) == NULL)
 				xappend_to_list(&list, ", ", "%s", one);
@@ -66,15 +66,15 @@ provenance_clauses(const struct blended *b)
 /* Returns "Granite", "Granite and Gneiss", or "" if no sheet states its
  * rock. */
 static char *
-join_rock_names(const struct blended *b)
+join_distinct_rocks(const struct blended *b)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < b->n; i++) {
 		const char *rock = b->part[i].sheet->rock;
 		bool known = rock[0] == '\0';
 		for (size_t k = 0; k < i; k++)
-			known = known ||
-				text_same_folded(b->part[k].sheet->rock, rock);
+			known = known || text_is_same_folded(
+					     b->part[k].sheet->rock, rock);
 		if (!known)
 			xappend_to_list(&list, tr(" and "), "%s", rock);
 	}
@@ -97,8 +97,8 @@ blended_mix_feeds(struct blended *b)
 		    100 * share[i] / b->sum,
 		    file_name_without_folders(b->part[i].file));
 	b->feed = blend_new(feed, share, b->n);
-	b->of = provenance_clauses(b);
-	b->rock = join_rock_names(b);
+	b->of = join_provenance_clauses(b);
+	b->rock = join_distinct_rocks(b);
 }
 
 /* Uses the feed of a single sheet as it is. */
@@ -145,11 +145,11 @@ read_feed_or_blend(
 {
 	double share, sum = 0;
 	size_t length;
-	value_parse_blend_feed(text, &length, &share);
+	value_parse_feed_and_share(text, &length, &share);
 	if (isnan(share))
 		return read_feed_of_sheet(s, text, b, error);
 	for (const char *at = text, *next; at != NULL; at = next) {
-		next = value_parse_blend_feed(at, &length, &share);
+		next = value_parse_feed_and_share(at, &length, &share);
 		if (!check_share_and_add_feed(s, at, length, share, b, error))
 			return false;
 		sum += share;

@@ -35,7 +35,7 @@ static const struct extreme {
 
 /* Returns the extreme whose word the text begins with, or NULL. */
 static const struct extreme *
-find_extreme(const char *text)
+find_extreme_word(const char *text)
 {
 	for (size_t i = 0; i < ARRAY_LEN(EXTREMES); i++)
 		if (strncasecmp(
@@ -47,7 +47,7 @@ find_extreme(const char *text)
 char *
 conditions_rewrite_superlative(const char *text)
 {
-	const struct extreme *e = find_extreme(text);
+	const struct extreme *e = find_extreme_word(text);
 	return e == NULL || e->understood
 		   ? NULL
 		   : xasprintf("%s %s", e->most ? "max" : "min",
@@ -57,7 +57,7 @@ conditions_rewrite_superlative(const char *text)
 const char *
 conditions_parse_max_or_min(const char *text, bool *most)
 {
-	const struct extreme *e = find_extreme(text);
+	const struct extreme *e = find_extreme_word(text);
 	*most = e != NULL && e->most;
 	return e != NULL && e->understood ? text + strlen(e->word) : NULL;
 }
@@ -109,7 +109,7 @@ error_expected_limit(
 /* Parses a number, after which the quantity's unit may follow, into core's
  * unit. */
 static bool
-parse_limit(const char *text, const struct quantity *q, double *limit,
+parse_condition_limit(const char *text, const struct quantity *q, double *limit,
     struct error *error)
 {
 	FREED char *copy = xstrdup(text);
@@ -155,13 +155,15 @@ parse_range_or_number(
 	size_t length;
 	const char *sign = find_range_sign(text, &length);
 	if (sign == NULL) {
-		bool ok = parse_limit(text, &c->quantity, &c->least, error);
+		bool ok =
+		    parse_condition_limit(text, &c->quantity, &c->least, error);
 		c->most = c->least;
 		return ok;
 	}
 	FREED char *low = xstrndup(text, (size_t)(sign - text));
-	bool ok = parse_limit(low, &c->quantity, &c->least, error) &&
-		  parse_limit(sign + length, &c->quantity, &c->most, error);
+	bool ok =
+	    parse_condition_limit(low, &c->quantity, &c->least, error) &&
+	    parse_condition_limit(sign + length, &c->quantity, &c->most, error);
 	if (!ok || c->least <= c->most)
 		return ok;
 	double least = quantities_value_in_shown_unit(&c->quantity, c->least);
@@ -198,7 +200,7 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 /* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passing
  * 2 mm = 58".  Returns NULL for other texts.  The caller frees it. */
 static char *
-move_limit_to_end(const char *text)
+rewrite_value_first_condition(const char *text)
 {
 	static const char *const VERBS[] = {"passing ", "passes ", "% <"};
 	size_t n = strspn(text, "0123456789.,");
@@ -230,14 +232,14 @@ name_passing_of_size(const char *text)
 /* Returns the text with words such as " at least " replaced by a sign.  The
  * caller frees it. */
 static char *
-replace_words_by_sign(const char *text)
+replace_limit_words_by_sign(const char *text)
 {
 	static const struct {
 		const char *words;
 		char sign;
 	} WORDS[] = {
 	    {" between ", '='}, {" at least ", '>'}, {" at most ", '<'}};
-	char *turned = move_limit_to_end(text);
+	char *turned = rewrite_value_first_condition(text);
 	if (turned == NULL)
 		turned = name_passing_of_size(text);
 	if (turned != NULL)
@@ -318,7 +320,7 @@ parse_condition_with_sign(const char *text, const struct fraction *fraction,
 	c->least = c->most = NAN;
 	if (text[n] == '=')
 		return parse_range_or_number(limit, c, error);
-	return parse_limit(
+	return parse_condition_limit(
 	    limit, &c->quantity, text[n] == '<' ? &c->most : &c->least, error);
 }
 
@@ -326,7 +328,7 @@ bool
 conditions_parse_one(const char *text, const struct fraction *fraction,
     struct condition *c, struct error *error)
 {
-	FREED char *with = replace_words_by_sign(text);
+	FREED char *with = replace_limit_words_by_sign(text);
 	bool ok = true;
 	for (char *at = with; ok && *at != '\0'; at++) {
 		if (!is_decimal_comma(with, at))
@@ -348,7 +350,7 @@ conditions_is_likely_complete(const char *text)
 	if (of != NULL)
 		return quantities_parse_one(of, &PARTITION_IDEAL, &q, &none);
 	const struct fraction whole = {.partition = PARTITION_IDEAL};
-	FREED char *with = replace_words_by_sign(text);
+	FREED char *with = replace_limit_words_by_sign(text);
 	const char *sign = strpbrk(with, "<>=");
 	if (sign != NULL)
 		return strpbrk(sign, DIGITS) != NULL;
@@ -358,7 +360,7 @@ conditions_is_likely_complete(const char *text)
 }
 
 size_t
-conditions_length_of_first(const char *list)
+conditions_first_text_length(const char *list)
 {
 	size_t n = strcspn(list, ",;");
 	while (is_decimal_comma(list, list + n))
@@ -372,7 +374,7 @@ conditions_parse_list(const char *text, const struct fraction *fraction,
 {
 	for (const char *at = text; *at != '\0';) {
 		struct condition c;
-		size_t length = conditions_length_of_first(at);
+		size_t length = conditions_first_text_length(at);
 		FREED char *copy = xstrndup(at, length);
 		bool ok =
 		    conditions_parse_one(text_trim(copy), fraction, &c, error);
@@ -403,7 +405,7 @@ conditions_add_envelope(const struct spec *spec,
 			conditions_add(list, all.at[i]);
 	conditions_free(&all);
 	if (list->n == before)
-		return envelope_error_no_sieve(spec, error);
+		return envelope_set_error_no_sieve(spec, error);
 	for (size_t i = n_sieve; i < spec->n; i++)
 		unknown += !isnan(spec->least[i]) || !isnan(spec->most[i]);
 	FREED char *unchecked = xstrdup("");
@@ -443,7 +445,7 @@ conditions_note_source_of_limits(
     struct answer *r, const struct condition_list *list)
 {
 	if (list->source != NULL)
-		answer_say(r, ANSWER_REMARK, "%s", list->source);
+		answer_add_sentence(r, ANSWER_REMARK, "%s", list->source);
 }
 
 bool
@@ -492,7 +494,7 @@ conditions_add_from_args(struct session *s, const struct args *args,
 }
 
 bool
-conditions_speed_range_of_args(const struct session *s, const struct args *args,
+conditions_parse_search_range(const struct session *s, const struct args *args,
     const struct site *site, double *from, double *to, struct error *error)
 {
 	settings_default_speed_range(&s->set, site, from, to);
@@ -548,7 +550,7 @@ conditions_limit_text(const struct condition *at, struct wanted_limit limit)
  * otherwise in m/s: "69.0 to 70.1 and 74.4", "74.42 to 74.47".  The caller
  * frees it. */
 static char *
-join_met_speeds(const struct speed_search *found, double rotor)
+met_speed_ranges_text(const struct speed_search *found, double rotor)
 {
 	const double tenth = 0.1, hair = 1e-6;
 	char *words = xstrdup("");
@@ -574,14 +576,14 @@ char *
 conditions_met_speeds_text(
     const struct speed_search *found, const struct site *site)
 {
-	return join_met_speeds(
+	return met_speed_ranges_text(
 	    found, answers_is_sheet_in_rpm(site) ? site->rotor : 0);
 }
 
 /* Returns a suffix such as ", up to the fastest tried", to be translated, if an
  * end of the range is only that of the search; otherwise "". */
 static const char *
-search_end_suffix(
+search_range_end_suffix(
     const struct conditions_search *wanted, double from, double to)
 {
 	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
@@ -592,17 +594,17 @@ search_end_suffix(
 }
 
 char *
-conditions_met_speeds_with_units(
+conditions_met_speeds_text_with_units(
     const struct conditions_search *wanted, const struct speed_search *found)
 {
 	double rotor = wanted->entry->site->rotor;
 	size_t n = found->n_inside;
 	const char *ends =
 	    n == 0 ? ""
-		   : tr(search_end_suffix(wanted, found->inside[0].from,
+		   : tr(search_range_end_suffix(wanted, found->inside[0].from,
 			 found->inside[n - 1].to));
-	FREED char *mps = join_met_speeds(found, 0);
-	FREED char *rpm = join_met_speeds(found, rotor);
+	FREED char *mps = met_speed_ranges_text(found, 0);
+	FREED char *rpm = met_speed_ranges_text(found, rotor);
 	return rotor > 0 ? xasprintf(tr("%s m/s (%s rpm)%s"), mps, rpm, ends)
 			 : xasprintf(tr("%s m/s%s"), mps, ends);
 }
@@ -641,7 +643,7 @@ conditions_margin_text(
 }
 
 void
-conditions_put_list(struct fields *o, const struct conditions_search *wanted,
+conditions_put_fields(struct fields *o, const struct conditions_search *wanted,
     const struct speed_search *found)
 {
 	struct fields *list = fields_add_list(o, "conditions");
@@ -669,15 +671,15 @@ add_condition_rows(struct answer *r, const struct conditions_search *wanted,
     const struct speed_search *found, bool people)
 {
 	double rotor = people ? wanted->entry->site->rotor : 0;
-	bool drawn = forecast_draws(wanted->forecast, 0) != NULL;
-	answer_columns(r, "quantity: condition on, min, max, value");
+	bool drawn = forecast_draws_of_quantity(wanted->forecast, 0) != NULL;
+	answer_add_columns(r, "quantity: condition on, min, max, value");
 	if (drawn)
-		answer_columns(r, "low, high");
-	answer_columns(r, rotor > 0
-			      ? N_("margin_pct: margin, holds_from: from rpm, "
-				   "holds_to: to rpm")
-			      : N_("margin_pct: margin, holds_from: from m/s, "
-				   "holds_to: to m/s"));
+		answer_add_columns(r, "low, high");
+	answer_add_columns(
+	    r, rotor > 0 ? N_("margin_pct: margin, holds_from: from rpm, "
+			      "holds_to: to rpm")
+			 : N_("margin_pct: margin, holds_from: from m/s, "
+			      "holds_to: to m/s"));
 	for (size_t i = 0; i < wanted->n; i++) {
 		const struct quantity *q = &wanted->at[i].quantity;
 		struct figure f =
@@ -688,7 +690,7 @@ add_condition_rows(struct answer *r, const struct conditions_search *wanted,
 		FREED char *key = quantities_field_name(q);
 		if (unit[0] != '\0')
 			xappend(&words, ", %s", unit);
-		answer_name(r, key, words);
+		answer_add_keyed_cell(r, key, words);
 		answer_add_cells(r, "%g %g %.*f",
 		    quantities_value_in_shown_unit(q, wanted->at[i].least),
 		    quantities_value_in_shown_unit(q, wanted->at[i].most),
@@ -709,8 +711,8 @@ add_condition_rows(struct answer *r, const struct conditions_search *wanted,
 }
 
 void
-conditions_add_rows(struct answer *r, const struct conditions_search *wanted,
-    const struct speed_search *found)
+conditions_add_answer_rows(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	add_condition_rows(r, wanted, found, true);
 	answer_begin_table_for_programs(r);
@@ -722,8 +724,8 @@ conditions_open_search(const struct session *s, const struct question *q,
     const struct condition_list *list, const struct condition *target)
 {
 	const struct quantity *more = target != NULL ? &target->quantity : NULL;
-	struct conditions_search w =
-	    wanted_from_question(s, q, list->n, list->at, more != NULL, more);
+	struct conditions_search w = conditions_search_from_question(
+	    s, q, list->n, list->at, more != NULL, more);
 	w.target = target;
 	return w;
 }
@@ -751,8 +753,8 @@ conditions_note_feed_too_fine(struct answer *r,
 
 /* As conditions_note_feed_too_fine, for the limit missed at the best speed. */
 static bool
-note_feed_misses_limit(struct answer *r, const struct conditions_search *wanted,
-    const struct speed_search *found)
+note_feed_too_fine_for_limit(struct answer *r,
+    const struct conditions_search *wanted, const struct speed_search *found)
 {
 	struct wanted_limit missed = found->margin.limit;
 	return conditions_note_feed_too_fine(
@@ -766,7 +768,7 @@ note_conflicting_limits(struct answer *r,
     const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct wanted_limit low = found->low, high = found->high;
-	if (note_feed_misses_limit(r, wanted, found))
+	if (note_feed_too_fine_for_limit(r, wanted, found))
 		return;
 	bool slowest = fabs(found->best - wanted->from) < 1e-3,
 	     fastest = fabs(found->best - wanted->to) < 1e-3;
@@ -857,7 +859,7 @@ conditions_note_why_unmet(struct answer *r,
 		    "no speed from %g to %g m/s%s meets %s: every speed misses "
 		    "%s equally, by %s",
 		    wanted->from, wanted->to, range, what, words, misses);
-		note_feed_misses_limit(r, wanted, found);
+		note_feed_too_fine_for_limit(r, wanted, found);
 	} else {
 		FREED char *rpm = rotor_speed_rpm_text(
 		    wanted->entry->site->rotor, found->best, NAN);
@@ -874,7 +876,7 @@ conditions_note_why_unmet(struct answer *r,
 /* Returns the end of the range around the best speed that is farther beyond the
  * measured speeds, or NAN if neither end is beyond them. */
 static double
-farthest_extrapolated_end(
+farthest_extrapolated_window_end(
     const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct speed_range *in = speed_search_best_range(found);
@@ -888,33 +890,34 @@ farthest_extrapolated_end(
 }
 
 void
-conditions_show_basis(struct answer *r, const struct question *q,
+conditions_note_basis_and_trust(struct answer *r, const struct question *q,
     const struct conditions_search *wanted, const struct speed_search *found,
     double speed)
 {
 	const struct session *s = wanted->s;
-	const double at[] = {speed, farthest_extrapolated_end(wanted, found)};
+	const double at[] = {
+	    speed, farthest_extrapolated_window_end(wanted, found)};
 	struct trust light = trust_at_speed(s, q->entry, speed, q->feed);
 	struct trust far = {0};
 	fields_put_values(
-	    answer_fields(r), "best_trust %s", LIGHT_NAME[light.light]);
+	    answer_json_fields(r), "best_trust %s", LIGHT_NAME[light.light]);
 	if (!isnan(at[1]))
 		far = trust_at_speed(s, q->entry, at[1], q->feed);
 	if (far.light <= light.light) {
 		trust_free(&far);
-		answers_show_basis(s, r, q, speed, false, light);
+		answers_note_basis_and_trust(s, r, q, speed, false, light);
 		return;
 	}
-	answers_note_basis_no_light(s, r, q, speed, NULL, &light);
+	answers_note_basis_without_trust(s, r, q, speed, NULL, &light);
 	for (size_t k = 0; k < 2; k++) {
 		FREED char *words =
 		    trust_in_words_at_speed(s, q->entry, at[k], q->feed);
-		answer_say(r,
+		answer_add_sentence(r,
 		    k == 1 && far.light == LIGHT_RED ? ANSWER_WARNING
 						     : ANSWER_REMARK,
 		    "%s", words);
 	}
-	trust_put_fields(answer_fields(r), &far);
+	trust_put_fields(answer_json_fields(r), &far);
 	trust_free(&light);
 	trust_free(&far);
 }
@@ -922,7 +925,7 @@ conditions_show_basis(struct answer *r, const struct question *q,
 /* True if the slow or, if `fast`, the fast end of the search is so far beyond
  * the measured speeds that answers there cannot be relied on. */
 static bool
-is_end_unreliable(const struct conditions_search *wanted, bool fast)
+is_range_end_unreliable(const struct conditions_search *wanted, bool fast)
 {
 	return fast ? wanted->to > wanted->measured[1] + wanted->reach
 		    : wanted->from < wanted->measured[0] - wanted->reach;
@@ -932,7 +935,7 @@ is_end_unreliable(const struct conditions_search *wanted, bool fast)
  * last multiple of ten inside it, if the sheet is in rpm.  The caller frees
  * it. */
 static char *
-search_end_as_typed(const struct site *site, double speed, bool fastest)
+search_range_end_to_type(const struct site *site, double speed, bool fastest)
 {
 	if (!answers_is_sheet_in_rpm(site))
 		return xasprintf("%g", speed);
@@ -950,10 +953,10 @@ conditions_note_unsearched_speeds(struct answer *r,
 		double end = fast ? wanted->to : wanted->from;
 		bool last = fast ? end >= SITE_FASTEST : end <= 1;
 		if (!(fast ? faster : slower) || last ||
-		    is_end_unreliable(wanted, fast))
+		    is_range_end_unreliable(wanted, fast))
 			continue;
 		FREED char *rpm = rotor_speed_rpm_text(site->rotor, end, NAN);
-		FREED char *beyond = search_end_as_typed(site,
+		FREED char *beyond = search_range_end_to_type(site,
 		    fast ? fmin(SITE_FASTEST, end + more) : fmax(1, end - more),
 		    fast);
 		answer_note(r,
@@ -971,8 +974,9 @@ conditions_note_no_reliable_speed(struct answer *r,
 {
 	bool all_measured = wanted->from <= wanted->measured[0] &&
 			    wanted->to >= wanted->measured[1];
-	if (all_measured && ((slower && is_end_unreliable(wanted, false)) ||
-				(faster && is_end_unreliable(wanted, true))))
+	if (all_measured &&
+	    ((slower && is_range_end_unreliable(wanted, false)) ||
+		(faster && is_range_end_unreliable(wanted, true))))
 		answer_note(r, "no speed near the measured ones meets it, and "
 			       "answers farther away are not reliable");
 	else
@@ -1011,7 +1015,7 @@ is_other_speed_surer(const struct speed_search *w)
  * in 100", or "best 84.9 m/s, .." if the answer there is not to be relied on.
  * The caller frees it. */
 static char *
-speed_to_run_at_text(const struct conditions_search *wanted, bool several,
+recommended_speed_text(const struct conditions_search *wanted, bool several,
     const struct speed_search *w)
 {
 	const struct entry *entry = wanted->entry;
@@ -1047,20 +1051,20 @@ speed_to_run_at_text(const struct conditions_search *wanted, bool several,
 /* Notes which speed to run at, and in which range the conditions hold with the
  * probability of the band. */
 static void
-note_speed_to_run_at(struct answer *r, const struct conditions_search *wanted,
+note_recommended_speed(struct answer *r, const struct conditions_search *wanted,
     bool several, const struct speed_search *w)
 {
 	double level = 100 * wanted->level;
 	double rotor = wanted->entry->site->rotor, low = w->sure[0],
 	       high = w->sure[1];
 	FREED char *rpm = rotor_speed_rpm_text(rotor, low, high);
-	FREED char *words = speed_to_run_at_text(wanted, several, w);
+	FREED char *words = recommended_speed_text(wanted, several, w);
 	if (isfinite(low))
 		xappend(&words,
 		    tr("; at least %.0f times in 100 from %.1f to %.1f "
 		       "m/s%s%s"),
 		    level, low, high, rpm,
-		    tr(search_end_suffix(wanted, low, high)));
+		    tr(search_range_end_suffix(wanted, low, high)));
 	else if (round(100 * w->best_certain) < round(level))
 		xappend(&words, tr("; no speed reaches %.0f in 100"), level);
 	answer_note(r, "%s", words);
@@ -1082,7 +1086,7 @@ note_slowest_safe_speed(struct answer *r,
 /* If the answer meets the conditions at no speed, notes where they are most
  * likely to hold. */
 static void
-note_certainty_where_unmet(struct answer *r,
+note_highest_certainty_if_unmet(struct answer *r,
     const struct conditions_search *wanted, const struct speed_search *w)
 {
 	size_t most = 0;
@@ -1110,11 +1114,11 @@ conditions_note_best_speed(struct answer *r,
     const struct speed_search *w)
 {
 	if (w->n_inside > 0) {
-		note_speed_to_run_at(r, wanted, several, w);
+		note_recommended_speed(r, wanted, several, w);
 		if (detail)
 			note_slowest_safe_speed(r, wanted, w);
 	} else if (!isnan(w->best_certain) && !isfinite(w->sure[0]))
-		note_certainty_where_unmet(r, wanted, w);
+		note_highest_certainty_if_unmet(r, wanted, w);
 }
 
 const char *

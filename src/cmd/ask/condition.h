@@ -29,7 +29,7 @@ bool conditions_set_error_place(
 
 /* Returns the length of the first condition in a list.  A comma separates
  * conditions unless it is inside a number. */
-size_t conditions_length_of_first(const char *list);
+size_t conditions_first_text_length(const char *list);
 
 /* Parses conditions separated by commas and appends them to the list. */
 bool conditions_parse_list(const char *text, const struct fraction *fraction,
@@ -62,7 +62,7 @@ bool conditions_check_feed_covers(const struct condition *condition,
 
 /* Reads the options from and to of a call; the default is
  * settings_default_speed_range. */
-bool conditions_speed_range_of_args(const struct session *s,
+bool conditions_parse_search_range(const struct session *s,
     const struct args *args, const struct site *site, double *from, double *to,
     struct error *error);
 
@@ -75,13 +75,14 @@ char *conditions_list_text(const struct condition_list *list);
 char *conditions_limit_text(
     const struct condition *at, struct wanted_limit limit);
 
-/* conditions_add_rows adds a table row for each condition; conditions_put_list
- * puts a list "conditions" with an object for each.  They have the limits, the
- * value at the forecast's speed with its band, the margin, and the range of
- * speeds in which this condition holds, whatever the others do. */
-void conditions_add_rows(struct answer *r,
+/* conditions_add_answer_rows adds a table row for each condition;
+ * conditions_put_fields puts a list "conditions" with an object for each.  They
+ * have the limits, the value at the forecast's speed with its band, the margin,
+ * and the range of speeds in which this condition holds, whatever the others
+ * do. */
+void conditions_add_answer_rows(struct answer *r,
     const struct conditions_search *wanted, const struct speed_search *found);
-void conditions_put_list(struct fields *o,
+void conditions_put_fields(struct fields *o,
     const struct conditions_search *wanted, const struct speed_search *found);
 
 /* Prepares a search over settings_default_speed_range for a question's product,
@@ -98,7 +99,7 @@ struct conditions_search conditions_open_search(const struct session *s,
  * to 73.6 m/s (1319 to 1434 rpm)".  The caller frees them. */
 char *conditions_met_speeds_text(
     const struct speed_search *found, const struct site *site);
-char *conditions_met_speeds_with_units(
+char *conditions_met_speeds_text_with_units(
     const struct conditions_search *wanted, const struct speed_search *found);
 
 /* Returns the distance between the value at the forecast's speed and the limit
@@ -139,11 +140,11 @@ void conditions_note_best_speed(struct answer *r,
     const struct conditions_search *wanted, bool several, bool detail,
     const struct speed_search *w);
 
-/* As answers_show_basis, for an answer at a speed in a range of speeds: if the
- * light is worse at an end of the range beyond the measured speeds, the answer
- * has that light, and both are stated.  Puts "best_trust", the light at that
- * speed. */
-void conditions_show_basis(struct answer *r, const struct question *q,
+/* As answers_note_basis_and_trust, for an answer at a speed in a range of
+ * speeds: if the light is worse at an end of the range beyond the measured
+ * speeds, the answer has that light, and both are stated.  Puts "best_trust",
+ * the light at that speed. */
+void conditions_note_basis_and_trust(struct answer *r, const struct question *q,
     const struct conditions_search *wanted, const struct speed_search *found,
     double speed);
 

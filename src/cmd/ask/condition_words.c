@@ -45,7 +45,8 @@ find_first_condition_word(const struct words *words)
 		     value_is_speed(words->text[1]);
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
 		return speed ? 2 : 1;
-	return takes && words->n > 3 && text_same_folded(words->text[1], "goal")
+	return takes && words->n > 3 &&
+		       text_is_same_folded(words->text[1], "goal")
 		   ? 2
 		   : 0;
 }

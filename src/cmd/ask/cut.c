@@ -45,7 +45,7 @@ cut_compare_with_prediction(
 	FREED struct quantity *asked = sieves_that_crushing_changes(r, &c.n);
 	struct forecast *f = forecast_open(s, &q, asked, c.n);
 	double sum = 0;
-	forecast_set_speed_and_draws(f, r->speed, ENSEMBLE_SAMPLE);
+	forecast_set_speed_and_ensemble(f, r->speed, ENSEMBLE_SAMPLE);
 	for (size_t i = 0; i < c.n; i++) {
 		struct figure at = forecast_value_with_band(f, i);
 		double passing = psd_passing_at_sieve(&r->product, asked[i].x);
@@ -55,7 +55,7 @@ cut_compare_with_prediction(
 			c.worst = off;
 			c.worst_sieve = asked[i].x;
 		}
-		c.no_band = forecast_draws(f, i) == NULL;
+		c.no_band = forecast_draws_of_quantity(f, i) == NULL;
 		c.inside += passing >= at.low - rounding &&
 			    passing <= at.high + rounding;
 	}
@@ -74,7 +74,7 @@ char *
 cut_comparison_text(const struct cut *c)
 {
 	const double off = 100 * c->rms, worst = 100 * fabs(c->worst),
-		     mm = units_mm(c->worst_sieve);
+		     mm = units_m_to_mm(c->worst_sieve);
 	if (c->no_band)
 		return xasprintf(c->worst > 0
 				     ? tr("RMSE %.1f points (%zu sieves), "
@@ -131,7 +131,7 @@ cut_parse_date(const struct site_note *note, struct datetime *m)
 {
 	bool cut = strcmp(note->key, "cut") == 0;
 	const char *at = cut ? strstr(note->value, ", ") : note->value;
-	if (at == NULL || (!cut && !lexicon_is_label_of_day(note->key)))
+	if (at == NULL || (!cut && !lexicon_is_date_label(note->key)))
 		return false;
 	at += cut ? strlen(", ") : 0;
 	FREED char *text = xstrndup(at, cut ? strcspn(at, ",") : strlen(at));
@@ -198,7 +198,7 @@ cut_compare_runs_since_fit(const struct session *s, const struct entry *entry)
 }
 
 bool
-cut_is_only_check(const struct entry *entry, size_t *run)
+cut_is_only_product(const struct entry *entry, size_t *run)
 {
 	const struct site *site = entry->site;
 	if (!entry->has_params || !origin_is_other_site(entry) ||

@@ -58,6 +58,6 @@ struct later cut_compare_runs_since_fit(
 
 /* True if the site has only one product, and parameters from elsewhere: that
  * product, of *run, is the only check on them. */
-bool cut_is_only_check(const struct entry *entry, size_t *run);
+bool cut_is_only_product(const struct entry *entry, size_t *run);
 
 #endif

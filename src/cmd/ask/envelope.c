@@ -63,14 +63,14 @@ read_envelope_file(struct session *s, const char *path, struct error *error)
 		    path);
 		return NULL;
 	}
-	files_note_read(s, path);
+	files_record_read(s, path);
 	struct spec *spec = spec_read_file(path, &errors);
 	if (spec == NULL) {
 		session_report_file_faults(s, path, &errors, error);
 		return NULL;
 	}
 	if (spec->note[0] != '\0')
-		session_note(s, "%s: %s", path, spec->note);
+		session_print_note(s, "%s: %s", path, spec->note);
 	return add_envelope_to_session(s, spec);
 }
 
@@ -95,15 +95,15 @@ static const char CATEGORY[] = "FM category ";
 /* Reads the fraction and the screens from the options.  Without cut=, the
  * fraction is the envelope's own. */
 static bool
-parse_envelope_fraction(const struct args *args, const struct spec *spec,
+parse_envelope_cut_option(const struct args *args, const struct spec *spec,
     struct fraction *f, struct error *error)
 {
 	const char *cut = args->cut;
-	bool off = cut != NULL && text_same_folded(cut, "off");
+	bool off = cut != NULL && text_is_same_folded(cut, "off");
 	*f = (struct fraction){.fine = spec->cut[0], .coarse = spec->cut[1]};
 	if (off)
 		*f = (struct fraction){0};
-	else if (cut != NULL && !quantities_parse_fraction(cut, f, error))
+	else if (cut != NULL && !quantities_parse_size_fraction(cut, f, error))
 		return false;
 	f->partition.sharpness = args->sharpness;
 	f->partition.cut_size = args->cut_size / 100;
@@ -119,7 +119,7 @@ begins_with_text(const char *text, const char *start)
 /* Returns the fineness modulus that the envelope's standard defines, if the
  * envelope is for a sand; otherwise NULL. */
 static const struct modulus *
-modulus_of_sand_standard(const struct spec *spec)
+fineness_modulus_of_sand_standard(const struct spec *spec)
 {
 	const double sand = 0.006;
 	for (size_t i = 0; i < MODULI; i++)
@@ -159,7 +159,7 @@ fineness_modulus_limit(const struct standards *all, const char *standard)
 /* Returns the standard's limit on the share retained between two neighbouring
  * sieves, or NULL. */
 static const struct standard_limit *
-individual_retained_limit(const struct standards *all, const char *standard)
+share_between_sieves_limit(const struct standards *all, const char *standard)
 {
 	return next_limit_of_standard(
 	    all, standard, "between two consecutive", NULL);
@@ -174,8 +174,8 @@ envelope_limits_to_conditions(const struct spec *spec,
 	const struct standard_limit *fm =
 	    fineness_modulus_limit(all, spec->standard);
 	const struct standard_limit *step =
-	    individual_retained_limit(all, spec->standard);
-	const struct modulus *m = modulus_of_sand_standard(spec);
+	    share_between_sieves_limit(all, spec->standard);
+	const struct modulus *m = fineness_modulus_of_sand_standard(spec);
 	bool limited = fm != NULL && m != NULL;
 	bool known = limited && psd_covers_size(feed, m->mm[m->n - 1] / 1000);
 	struct quantity q = {.fraction = *fraction};
@@ -207,13 +207,13 @@ envelope_limits_to_conditions(const struct spec *spec,
 }
 
 static double
-value_of_grading_quantity(const struct grading *g, size_t i)
+predicted_grading_value(const struct grading *g, size_t i)
 {
 	return forecast_value_with_band(g->conditions.forecast, i).value;
 }
 
 bool
-envelope_error_no_sieve(const struct spec *spec, struct error *error)
+envelope_set_error_no_sieve(const struct spec *spec, struct error *error)
 {
 	return error_set(error, ERROR_DATA,
 	    "%s: none of its sieves is in the range of the feed's sieves\nuse "
@@ -223,45 +223,46 @@ envelope_error_no_sieve(const struct spec *spec, struct error *error)
 
 /* g->spec and g->fraction are set already. */
 static bool
-open_forecast_of_limits(const struct session *s, const struct question *q,
+open_forecast_of_envelope(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
 {
-	g->modulus = modulus_of_sand_standard(g->spec);
+	g->modulus = fineness_modulus_of_sand_standard(g->spec);
 	envelope_limits_to_conditions(
 	    g->spec, &g->fraction, question_feed(q), &g->limits, &g->n_sieve);
 	if (g->n_sieve == 0) {
 		conditions_free(&g->limits);
-		return envelope_error_no_sieve(g->spec, error);
+		return envelope_set_error_no_sieve(g->spec, error);
 	}
 	const struct quantity more[] = {
 	    {.kind = QUANTITY_SHARE, .fraction = g->fraction},
 	    {.kind = QUANTITY_MODULUS,
 		.modulus = g->modulus,
 		.fraction = g->fraction}};
-	g->conditions = wanted_from_question(
+	g->conditions = conditions_search_from_question(
 	    s, q, g->limits.n, g->limits.at, g->modulus != NULL ? 2 : 1, more);
 	return true;
 }
 
 bool
-envelope_open(const struct session *s, const struct args *args,
+envelope_open_grading(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *g,
     struct error *error)
 {
 	*g = (struct grading){.spec = spec};
-	return parse_envelope_fraction(args, spec, &g->fraction, error) &&
-	       open_forecast_of_limits(s, q, g, error);
+	return parse_envelope_cut_option(args, spec, &g->fraction, error) &&
+	       open_forecast_of_envelope(s, q, g, error);
 }
 
 bool
-envelope_open_chosen(const struct session *s, const struct entry *entry,
-    size_t feed, struct grading *g, struct error *error)
+envelope_open_chosen_forecast(const struct session *s,
+    const struct entry *entry, size_t feed, struct grading *g,
+    struct error *error)
 {
 	const struct spec *spec = s->spec;
 	*g = (struct grading){.spec = spec,
 	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
 	struct question q = question_of_whole_product(s, entry, feed);
-	return open_forecast_of_limits(s, &q, g, error);
+	return open_forecast_of_envelope(s, &q, g, error);
 }
 
 void
@@ -272,7 +273,7 @@ envelope_close(struct grading *g)
 }
 
 char *
-envelope_title(const struct grading *g)
+envelope_title_text(const struct grading *g)
 {
 	FREED char *fraction = quantities_fraction_text(&g->fraction);
 	return fraction_is_screened(&g->fraction)
@@ -281,7 +282,7 @@ envelope_title(const struct grading *g)
 }
 
 static const char *
-verdict_within_limits(double value, double least, double most)
+verdict_by_limits_text(double value, double least, double most)
 {
 	const double exact = 1e-9;
 	if (value < least - exact)
@@ -291,7 +292,7 @@ verdict_within_limits(double value, double least, double most)
 
 /* Returns the margin of the sieve that is furthest outside. */
 static struct margin
-find_worst_sieve(const struct grading *g)
+margin_of_worst_sieve(const struct grading *g)
 {
 	struct margin worst = {.passing = INFINITY};
 	for (size_t i = 0; i < g->n_sieve; i++) {
@@ -313,7 +314,7 @@ missed_limit_text(const struct grading *g, size_t i)
 	double most =
 	    quantities_value_in_shown_unit(&q, limit.most ? c->most : c->least);
 	double is =
-	    quantities_value_in_shown_unit(&q, value_of_grading_quantity(g, i));
+	    quantities_value_in_shown_unit(&q, predicted_grading_value(g, i));
 	const char *unit = quantities_unit_suffix(&q);
 	q.fraction = (struct fraction){0};
 	FREED char *name = quantities_name(&q);
@@ -325,7 +326,7 @@ missed_limit_text(const struct grading *g, size_t i)
 char *
 envelope_missed_limits_text(const struct grading *g)
 {
-	struct margin worst = find_worst_sieve(g);
+	struct margin worst = margin_of_worst_sieve(g);
 	size_t out = 0;
 	for (size_t i = 0; i < g->n_sieve; i++)
 		out += !conditions_are_met(&g->conditions, i);
@@ -335,7 +336,8 @@ envelope_missed_limits_text(const struct grading *g)
 		    tr("outside on %zu of %zu sieves; worst at %g mm: %.1f "
 		       "points "
 		       "%s"),
-		    out, g->n_sieve, units_mm(g->spec->size[worst.limit.i]),
+		    out, g->n_sieve,
+		    units_m_to_mm(g->spec->size[worst.limit.i]),
 		    -100 * worst.passing,
 		    worst.limit.most ? tr("above max") : tr("below min"));
 	for (size_t i = g->n_sieve; i < g->limits.n; i++)
@@ -352,42 +354,46 @@ envelope_missed_limits_text(const struct grading *g)
 void
 envelope_put_worst_sieve(struct fields *o, const struct grading *g)
 {
-	struct margin worst = find_worst_sieve(g);
+	struct margin worst = margin_of_worst_sieve(g);
 	bool out = !conditions_are_met(&g->conditions, worst.limit.i);
 	fields_put_values(o, "worst_mm %g outside_pct %g",
-	    out ? units_mm(g->spec->size[worst.limit.i]) : NAN,
+	    out ? units_m_to_mm(g->spec->size[worst.limit.i]) : NAN,
 	    !out               ? 0
 	    : worst.limit.most ? -100 * worst.passing
 			       : 100 * worst.passing);
 }
 
 void
-envelope_add_rows(struct answer *r, struct grading *g, double v)
+envelope_add_sieve_rows(struct answer *r, struct grading *g, double v)
 {
 	const struct spec *spec = g->spec;
 	struct forecast *all = g->conditions.forecast;
 	forecast_set_speed(all, v);
-	bool band = forecast_draws(all, 0) != NULL;
-	answer_columns(r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
-			  "%%");
-	answer_column(r, "passing_pct",
+	bool band = forecast_draws_of_quantity(all, 0) != NULL;
+	answer_add_columns(r,
+	    "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
+	    "%%");
+	answer_add_column(r, "passing_pct",
 	    fraction_is_screened(&g->fraction) ? N_("fraction %")
 					       : N_("product %"));
 	if (band)
-		answer_columns(r, "low_pct: low %%, high_pct: high %%");
-	answer_columns(r, "verdict");
+		answer_add_columns(r, "low_pct: low %%, high_pct: high %%");
+	answer_add_columns(r, "verdict");
 	for (size_t i = 0; i < spec->n; i++) {
 		bool known = i < g->n_sieve,
 		     met = known && conditions_are_met(&g->conditions, i);
 		struct figure f = {NAN, NAN, NAN};
 		if (known)
 			f = forecast_value_with_band(all, i);
-		answer_add_cells(r, "%g %g %g %.1f", units_mm(spec->size[i]),
-		    units_pct(spec->least[i]), units_pct(spec->most[i]),
-		    units_pct(f.value));
+		answer_add_cells(r, "%g %g %g %.1f",
+		    units_m_to_mm(spec->size[i]),
+		    units_fraction_to_pct(spec->least[i]),
+		    units_fraction_to_pct(spec->most[i]),
+		    units_fraction_to_pct(f.value));
 		if (band)
-			answer_add_cells(r, "%.1f %.1f", units_pct(f.low),
-			    units_pct(f.high));
+			answer_add_cells(r, "%.1f %.1f",
+			    units_fraction_to_pct(f.low),
+			    units_fraction_to_pct(f.high));
 		answer_add_cells(r, "%s",
 		    !known ? tr("not known")
 		    : met  ? "ok"
@@ -418,7 +424,7 @@ fineness_modulus_verdict(
 	char *words = NULL;
 	if (own != NULL)
 		words = xasprintf(tr("%s; limits %g to %g"),
-		    verdict_within_limits(fm, own->least, own->most),
+		    verdict_by_limits_text(fm, own->least, own->most),
 		    own->least, own->most);
 	else if (categories)
 		words = in[0] == '\0' ? xstrdup(tr("in no category"))
@@ -447,7 +453,7 @@ note_fineness_modulus(
 	FREED char *band = quantities_band_text(fm.low, fm.high, 2);
 	answer_note(r, "fineness modulus (%s) %.2f%s: %s", g->modulus->standard,
 	    fm.value, band, is);
-	fields_put_values(answer_fields(r),
+	fields_put_values(answer_json_fields(r),
 	    "fm %g fm_standard %s fm_verdict %s", fm.value,
 	    g->modulus->standard, is);
 }
@@ -455,42 +461,42 @@ note_fineness_modulus(
 /* Notes the largest share between two neighbouring sieves of the envelope, and
  * whether it is within the standard's limit. */
 static void
-note_individual_retained(
+note_largest_share_between_sieves(
     struct answer *r, const struct grading *g, const struct standards *all)
 {
 	const struct standard_limit *l =
-	    individual_retained_limit(all, g->spec->standard);
+	    share_between_sieves_limit(all, g->spec->standard);
 	const struct forecast *f = g->conditions.forecast;
 	double most = 0, step[POSTERIOR_DRAWS], range[2] = {NAN, NAN};
 	size_t at = 0; /* the coarser of the two */
 	if (l == NULL || g->n_sieve < 2)
 		return;
 	for (size_t i = 0; i + 1 < g->n_sieve; i++) {
-		double share = value_of_grading_quantity(g, i) -
-			       value_of_grading_quantity(g, i + 1);
+		double share = predicted_grading_value(g, i) -
+			       predicted_grading_value(g, i + 1);
 		if (share <= most)
 			continue;
 		most = share;
 		at = i;
 	}
-	const double *coarse = forecast_draws(f, at),
-		     *fine = forecast_draws(f, at + 1);
+	const double *coarse = forecast_draws_of_quantity(f, at),
+		     *fine = forecast_draws_of_quantity(f, at + 1);
 	for (size_t d = 0; d < POSTERIOR_DRAWS && coarse != NULL; d++)
 		step[d] = 100 * (coarse[d] - fine[d]);
 	if (coarse != NULL)
 		ensemble_interval_around_answer(
 		    step, g->conditions.level, NAN, range);
 	FREED char *band = quantities_band_text(range[0], range[1], 1);
-	const double coarse_mm = units_mm(g->spec->size[at]);
+	const double coarse_mm = units_m_to_mm(g->spec->size[at]);
 	bool open = g->n_sieve < g->spec->n && 100 * most <= l->most;
 	const char *is =
 	    open ? tr("not known")
-		 : verdict_within_limits(100 * most, -INFINITY, l->most);
+		 : verdict_by_limits_text(100 * most, -INFINITY, l->most);
 	answer_note(r,
 	    "most between two sieves: %.1f %%%s, %g to %g mm: %s; limit %g",
-	    100 * most, band, coarse_mm, units_mm(g->spec->size[at + 1]), is,
-	    l->most);
-	fields_put_values(answer_fields(r),
+	    100 * most, band, coarse_mm, units_m_to_mm(g->spec->size[at + 1]),
+	    is, l->most);
+	fields_put_values(answer_json_fields(r),
 	    "step_pct %g step_mm %g step_verdict %s", 100 * most, coarse_mm,
 	    is);
 }
@@ -505,7 +511,7 @@ note_tolerances_unchecked(
 		n += strcmp(all->limit[i].standard, spec->standard) == 0 &&
 		     strstr(all->limit[i].item, "tolerance") != NULL;
 	if (n > 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "not checked: %zu tolerances of %s, which need a declared "
 		    "grading ('spec list limits')",
 		    n, spec->standard);
@@ -517,9 +523,9 @@ envelope_add_notes(struct answer *r, const struct grading *g)
 	const struct spec *spec = g->spec;
 	struct standards *all = standards_read_built_in();
 	note_fineness_modulus(r, g, all);
-	note_individual_retained(r, g, all);
+	note_largest_share_between_sieves(r, g, all);
 	if (fraction_is_screened(&g->fraction)) {
-		double share = 100 * value_of_grading_quantity(g, g->limits.n);
+		double share = 100 * predicted_grading_value(g, g->limits.n);
 		FREED char *words = quantities_fraction_text(&g->fraction);
 		answer_note(r,
 		    g->fraction.partition.sharpness > 0
@@ -527,30 +533,31 @@ envelope_add_notes(struct answer *r, const struct grading *g)
 			: N_("the fraction %s is %.1f %% of the product, by "
 			     "ideal screens"),
 		    words, share);
-		fields_put_values(answer_fields(r), "share_pct %g", share);
+		fields_put_values(answer_json_fields(r), "share_pct %g", share);
 	}
 	if (g->n_sieve < spec->n)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "not checked: %g mm and below, finer than the feed's "
 		    "finest sieve",
-		    units_mm(spec->size[g->n_sieve]));
+		    units_m_to_mm(spec->size[g->n_sieve]));
 	note_tolerances_unchecked(r, spec, all);
 	if (spec->source[0] != '\0')
-		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
+		answer_add_sentence(
+		    r, ANSWER_REMARK, "limits: %s", spec->source);
 	standards_free(all);
 }
 
 void
 envelope_put_fields(struct answer *r, const struct grading *g)
 {
-	fields_put_values(answer_fields(r), "spec %s source %s", g->spec->name,
-	    g->spec->source);
+	fields_put_values(answer_json_fields(r), "spec %s source %s",
+	    g->spec->name, g->spec->source);
 	if (fraction_is_screened(&g->fraction)) {
 		FREED char *words = quantities_fraction_text(&g->fraction);
-		fields_put_values(answer_fields(r), "cut %s", words);
+		fields_put_values(answer_json_fields(r), "cut %s", words);
 	}
 	answer_repeat_fields_in_rows(
 	    r, "spec cut speed best certainty_pct best_trust");
-	answer_put_columns_as_lists(
+	answer_add_columns_to_json_fields(
 	    r, "sieve_mm min_pct max_pct passing_pct verdict");
 }

@@ -28,7 +28,7 @@ bool envelope_limits_to_conditions(const struct spec *spec,
 
 /* Sets the error that the feed covers none of the envelope's sieves.  Returns
  * false. */
-bool envelope_error_no_sieve(const struct spec *spec, struct error *error);
+bool envelope_set_error_no_sieve(const struct spec *spec, struct error *error);
 
 /* The comparison of a fraction with an envelope.  A passing that rounds to
  * 100.0 % meets a limit of 100 %, because no screen is perfect. */
@@ -48,22 +48,24 @@ struct grading {
 
 /* Opens the comparison with an envelope.  The options cut, sharpness and
  * cut_size of the call describe the screens; cut=off means no screens. */
-bool envelope_open(const struct session *s, const struct args *args,
+bool envelope_open_grading(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *grading,
     struct error *error);
 
-/* As envelope_open, for the envelope that `spec use` chose, with its own
- * fraction, ideal screens, and the feed of a run. */
-bool envelope_open_chosen(const struct session *s, const struct entry *entry,
-    size_t feed, struct grading *grading, struct error *error);
+/* As envelope_open_grading, for the envelope that `spec use` chose, with its
+ * own fraction, ideal screens, and the feed of a run. */
+bool envelope_open_chosen_forecast(const struct session *s,
+    const struct entry *entry, size_t feed, struct grading *grading,
+    struct error *error);
 void envelope_close(struct grading *grading);
 
 /* Returns "ASTM C33 fine aggregate, fraction 0/4.75".  The caller frees it. */
-char *envelope_title(const struct grading *grading);
+char *envelope_title_text(const struct grading *grading);
 
 /* Adds columns, and a row for each sieve at speed v: its limits, the passing,
  * and "ok", "above", "below" or "not known". */
-void envelope_add_rows(struct answer *r, struct grading *grading, double v);
+void envelope_add_sieve_rows(
+    struct answer *r, struct grading *grading, double v);
 
 /* Returns which limits are missed at the forecast's speed: "outside on 2 of 7
  * sieves; worst at 4 mm: 3.1 points above max", "inside on all sieves, but
@@ -80,8 +82,8 @@ void envelope_put_worst_sieve(struct fields *o, const struct grading *grading);
  * limits, and what is not checked. */
 void envelope_add_notes(struct answer *r, const struct grading *grading);
 
-/* Puts the fields spec, source and cut, and the columns of envelope_add_rows as
- * lists. */
+/* Puts the fields spec, source and cut, and the columns of
+ * envelope_add_sieve_rows as lists. */
 void envelope_put_fields(struct answer *r, const struct grading *grading);
 
 #endif

@@ -22,7 +22,7 @@ feed_run_at_speed_or_mean(const struct site *site, double speed)
 }
 
 bool
-feed_find_run_at_speed(
+feed_find_run_sampled_at_speed(
     const struct site *site, double speed, size_t *feed, struct error *error)
 {
 	FREED char *rpm =
@@ -46,7 +46,7 @@ feed_sampling_speed(const struct site *site, size_t run)
 /* Returns "69, 74, 79", each speed once at which a feed was sampled; in rpm if
  * the diameter of the rotor is not 0.  The caller frees it. */
 static char *
-sampling_speeds_text(const struct site *site, double diameter)
+feed_sampling_speeds_text(const struct site *site, double diameter)
 {
 	char *speeds = xstrdup("");
 	double before = 0;
@@ -75,35 +75,36 @@ feed_sampling_text(const struct site *site, size_t run)
 		return xasprintf(
 		    tr("sampled at %g m/s%s%s"), of->speed, of->repeat, in);
 	}
-	most = site_largest_feed_difference(site, &sieve);
+	most = site_largest_difference_of_feeds(site, &sieve);
 	if (!(most > 0))
 		return NULL;
-	FREED char *speeds = sampling_speeds_text(site, 0);
-	FREED char *list = sampling_speeds_text(site, rotor);
+	FREED char *speeds = feed_sampling_speeds_text(site, 0);
+	FREED char *list = feed_sampling_speeds_text(site, rotor);
 	FREED char *rpm =
 	    rotor > 0 ? xasprintf(tr(" (%s rpm)"), list) : xstrdup("");
 	return xasprintf(tr("mean of those sampled at %s m/s%s, which "
 			    "differ by up to %.1f points at %g mm"),
-	    speeds, rpm, 100 * most, units_mm(sieve));
+	    speeds, rpm, 100 * most, units_m_to_mm(sieve));
 }
 
 void
-feed_note_in_answer(struct answer *r, const struct site *site, size_t run,
+feed_add_note_to_answer(struct answer *r, const struct site *site, size_t run,
     const char *whose, double moved)
 {
 	FREED char *words = feed_sampling_text(site, run);
 	if (words != NULL && whose != NULL) {
-		answer_say(r, ANSWER_REMARK, "feed of %s: %s", whose, words);
+		answer_add_sentence(
+		    r, ANSWER_REMARK, "feed of %s: %s", whose, words);
 	} else if (words != NULL && moved > 0) {
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "feed: %s; measured products moved to it, by up to %.1f "
 		    "points",
 		    words, 100 * moved);
 	} else if (words != NULL) {
-		answer_say(r, ANSWER_REMARK, "feed: %s", words);
+		answer_add_sentence(r, ANSWER_REMARK, "feed: %s", words);
 	}
 	if (words != NULL && whose == NULL)
-		fields_put_values(answer_fields(r), "feed %s", words);
+		fields_put_values(answer_json_fields(r), "feed %s", words);
 	if (words != NULL && whose == NULL && run < site->n_run)
 		answer_repeat_fields_in_rows(r, "feed");
 }
@@ -115,12 +116,12 @@ feed_note_assumed_top_size(
 	double top = site_assumed_top_size(site);
 	if (!(top > 0))
 		return;
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "assumed%s%s: all of the feed passes %g mm",
 	    whose != NULL ? tr(" of ") : "", whose != NULL ? whose : "", top);
 	if (whose == NULL)
 		fields_put_values(
-		    answer_fields(r), SITE_ASSUMED_TOP " %g", top);
+		    answer_json_fields(r), SITE_ASSUMED_TOP " %g", top);
 }
 
 void
@@ -130,7 +131,7 @@ feed_note_how_to_set_top_size(struct answer *r, const struct site *site)
 	if (!(top > 0) || site->path[0] == '\0')
 		return;
 	FREED char *line = xstrdup("load");
-	journal_append_word(&line, site->path);
+	journal_append_quoted_word(&line, site->path);
 	answer_note(r,
 	    "All of the feed is assumed to pass %g mm, which its sheet does "
 	    "not state; to assume another size, in mm: %s top=SIZE",

@@ -15,7 +15,7 @@ size_t feed_run_at_speed_or_mean(const struct site *site, double speed);
 
 /* As feed_run_at_speed_or_mean, but the feed must exist: returns false with an
  * error if none was sampled at the speed. */
-bool feed_find_run_at_speed(
+bool feed_find_run_sampled_at_speed(
     const struct site *site, double speed, size_t *feed, struct error *error);
 
 /* Returns the speed at which the feed of a run was sampled, m/s; NAN for the
@@ -31,11 +31,11 @@ char *feed_sampling_text(const struct site *site, size_t run);
 /* Notes feed_sampling_text after "feed: ", also as the field "feed"; or after
  * "feed of tierp: " if `whose` names the owner of one of two products.  If
  * moved > 0, adds how far measured products are moved (struct question). */
-void feed_note_in_answer(struct answer *r, const struct site *site, size_t run,
-    const char *whose, double moved);
+void feed_add_note_to_answer(struct answer *r, const struct site *site,
+    size_t run, const char *whose, double moved);
 
 /* If a size is assumed that all of the site's feeds pass, notes it, for `whose`
- * as feed_note_in_answer does; if that is NULL, also as the field
+ * as feed_add_note_to_answer does; if that is NULL, also as the field
  * assumed_top_mm. */
 void feed_note_assumed_top_size(
     struct answer *r, const struct site *site, const char *whose);

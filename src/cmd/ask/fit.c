@@ -15,11 +15,11 @@ const char *const FIT_NOTHING_BREAKS =
        "with a coarser feed or at a higher speed");
 
 bool
-fit_nothing_breaks(const struct entry *entry)
+fit_has_no_breakage(const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
 	return entry->has_fit &&
-	       (trust_is_no_product_finer(entry->site) ||
+	       (trust_are_products_like_feed(entry->site) ||
 		   fit->misfit > (1 - FIT_LEAST_GAIN) * fit->feed_misfit);
 }
 
@@ -47,14 +47,14 @@ fit_largest_rmse_of_runs(const struct entry *entry, const struct params *params,
 }
 
 double
-fit_holdout_rmse(const struct entry *entry)
+fit_largest_holdout_rmse(const struct entry *entry)
 {
 	return fit_largest_rmse_of_runs(
 	    entry, &entry->fit.params, entry->fit.settings, true);
 }
 
 void
-fit_put_params(struct fields *o, const struct params *p)
+fit_put_params_in_json(struct fields *o, const struct params *p)
 {
 	const struct breakage *of = breakage_model_of_params(p);
 	struct fields *params = fields_add_object(o, "params");
@@ -66,7 +66,7 @@ fit_put_params(struct fields *o, const struct params *p)
 }
 
 bool
-fit_is_param_in_flat_direction(const struct fit *fit, size_t j)
+fit_is_param_poorly_determined(const struct fit *fit, size_t j)
 {
 	const double worth_saying = 0.05, part_of_it = 0.25;
 	return fit->flat.reach >= worth_saying &&
@@ -74,7 +74,7 @@ fit_is_param_in_flat_direction(const struct fit *fit, size_t j)
 }
 
 bool
-fit_check_settings_agree(
+fit_check_settings_allow_model(
     const struct model_settings *settings, size_t breakage, struct error *error)
 {
 	const struct breakage *of = BREAKAGES[breakage];
@@ -92,7 +92,7 @@ fit_check_settings_agree(
 }
 
 void
-param_band_from_draws(const struct posterior *p, const struct session *s,
+param_band_from_posterior(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2])
 {
 	double value[POSTERIOR_DRAWS];
@@ -119,7 +119,7 @@ fit_put_param_bands(struct fields *o, const struct session *s,
 	struct fields *interval = fields_add_object(o, "interval");
 	for (size_t j = of->gauge; j < of->n; j++) {
 		double range[2];
-		param_band_from_draws(posterior, s, fit, j, range);
+		param_band_from_posterior(posterior, s, fit, j, range);
 		fields_put_values(
 		    fields_add_list(interval, of->parameter[j].name), "%g %g",
 		    range[0], range[1]);

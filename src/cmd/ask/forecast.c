@@ -26,19 +26,20 @@ forecast_open(const struct session *s, const struct question *q,
 {
 	const struct entry *entry = q->entry;
 	const struct psd *feed = site_feed_of_run(entry->site, q->feed);
-	struct psd sizes = predict_table_sizes(entry->site, feed);
+	struct psd sizes = predict_list_table_sieves(entry->site, feed);
 	struct draws_source *asker = xcalloc(1, sizeof *asker);
 	*asker = (struct draws_source){
 	    s, entry, q->feed, q->params != NULL ? q->params : &entry->params};
 	struct forecast *f = forecast_new(feed, sizes.size, sizes.n, quantity,
-	    n, asker->params, model_settings_of_answer(s, entry), q->level);
-	forecast_set_asker(f, asker);
+	    n, asker->params, model_settings_with_scenario(s, entry), q->level);
+	forecast_set_user_data(f, asker);
 	psd_free(&sizes);
 	return f;
 }
 
 struct forecast *
-forecast_open_table(const struct session *s, const struct question *q)
+forecast_open_for_predict_table(
+    const struct session *s, const struct question *q)
 {
 	const struct site *site = q->entry->site;
 	size_t n;
@@ -48,27 +49,27 @@ forecast_open_table(const struct session *s, const struct question *q)
 }
 
 void
-forecast_set_speed_and_draws(
+forecast_set_speed_and_ensemble(
     struct forecast *f, double speed, enum ensemble_part part)
 {
-	const struct draws_source *a = forecast_asker(f);
+	const struct draws_source *a = forecast_user_data(f);
 	struct ensemble *e =
-	    posterior_for_answers(a->s, a->entry, a->params) != NULL
+	    posterior_if_params_of_entry(a->s, a->entry, a->params) != NULL
 		? ensemble_for_answers(a->s, a->entry, a->feed)
 		: NULL;
-	forecast_move(f, e, part, speed);
+	forecast_move_to_speed(f, e, part, speed);
 }
 
 void
 forecast_set_speed(struct forecast *f, double speed)
 {
-	forecast_set_speed_and_draws(f, speed, ENSEMBLE_ANSWER);
+	forecast_set_speed_and_ensemble(f, speed, ENSEMBLE_ANSWER);
 }
 
 struct figure
 forecast_value_in_shown_unit(const struct forecast *f, size_t i)
 {
-	const struct quantity *q = forecast_asked_quantity(f, i);
+	const struct quantity *q = forecast_get_asked_quantity(f, i);
 	struct figure at = forecast_value_with_band(f, i);
 	return (struct figure){quantities_value_in_shown_unit(q, at.value),
 	    quantities_value_in_shown_unit(q, at.low),
@@ -79,10 +80,10 @@ struct prediction
 forecast_product(
     const struct session *s, const struct question *q, double speed)
 {
-	struct forecast *f = forecast_open_table(s, q);
+	struct forecast *f = forecast_open_for_predict_table(s, q);
 	forecast_set_speed(f, speed);
 	struct prediction p =
-	    predict_table(q->entry->site, q->feed, &q->fraction, f);
+	    predict_at_table_sieves(q->entry->site, q->feed, &q->fraction, f);
 	forecast_close(f);
 	return p;
 }

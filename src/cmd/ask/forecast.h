@@ -15,7 +15,7 @@ struct forecast *forecast_open(const struct session *s,
 
 /* Opens a forecast of the quantities in the table of the question's product, in
  * the order of predict_table_quantities. */
-struct forecast *forecast_open_table(
+struct forecast *forecast_open_for_predict_table(
     const struct session *s, const struct question *q);
 
 /* Moves the forecast to a speed, m/s. */
@@ -24,7 +24,7 @@ void forecast_set_speed(struct forecast *f, double speed);
 /* As forecast_set_speed, but with the draws of one more sample, or of the model
  * alone.  The values are still those of the answer; the bands are those of the
  * draws, and need not contain the values. */
-void forecast_set_speed_and_draws(
+void forecast_set_speed_and_ensemble(
     struct forecast *f, double speed, enum ensemble_part part);
 
 /* As forecast_value_with_band, in the unit that users see

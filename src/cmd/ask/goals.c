@@ -38,7 +38,7 @@ goals_discard_results(struct goal *g)
 }
 
 bool
-goals_is_condition(const char *text)
+goals_is_condition_text(const char *text)
 {
 	FREED char *extreme = conditions_rewrite_superlative(text);
 	return extreme != NULL || text[strcspn(text, "<>=%")] != '\0' ||
@@ -46,7 +46,7 @@ goals_is_condition(const char *text)
 }
 
 static bool
-is_single_value(const struct condition *c)
+is_single_value_condition(const struct condition *c)
 {
 	return c->least == c->most;
 }
@@ -65,9 +65,9 @@ add_limits_of_named_envelope(struct session *s, const char *name,
 		      conditions_add_envelope(spec, &whole, feed, list, error));
 	for (; ok && i < list->n; i++) {
 		struct condition *c = &list->at[i];
-		if (is_single_value(c) && c->least > 0)
+		if (is_single_value_condition(c) && c->least > 0)
 			c->most = NAN;
-		else if (is_single_value(c))
+		else if (is_single_value_condition(c))
 			c->least = NAN;
 	}
 	free(list->source);
@@ -82,7 +82,7 @@ parse_condition_or_envelope(struct session *s, const char *text,
 {
 	const struct fraction whole = {.partition = PARTITION_IDEAL};
 	struct condition c;
-	if (!goals_is_condition(text))
+	if (!goals_is_condition_text(text))
 		return add_limits_of_named_envelope(s, text, feed, list, error);
 	if (!conditions_parse_one(text, &whole, &c, error) ||
 	    (feed != NULL && !conditions_check_feed_covers(&c, feed, error)))
@@ -93,13 +93,13 @@ parse_condition_or_envelope(struct session *s, const char *text,
 
 /* Moves the single value to the end, so that those before it are the ranges. */
 static bool
-move_single_value_last(
+move_value_condition_last(
     struct condition_list *list, size_t *n_value, struct error *error)
 {
 	size_t at = 0;
 	*n_value = 0;
 	for (size_t i = 0; i < list->n; i++)
-		if (is_single_value(&list->at[i])) {
+		if (is_single_value_condition(&list->at[i])) {
 			at = i;
 			++*n_value;
 		}
@@ -125,7 +125,7 @@ goals_parse(struct session *s, const char *text, const struct psd *feed,
 	if (file && !add_limits_of_named_envelope(s, text, feed, list, error))
 		return false;
 	for (const char *at = text; *at != '\0' && !file;) {
-		size_t length = conditions_length_of_first(at);
+		size_t length = conditions_first_text_length(at);
 		char *copy = xstrndup(at, length), *word = text_trim(copy);
 		bool ok = word[0] == '\0' || parse_condition_or_envelope(
 						 s, word, feed, list, error);
@@ -134,7 +134,7 @@ goals_parse(struct session *s, const char *text, const struct psd *feed,
 			return false;
 		at += length + (at[length] != '\0');
 	}
-	return move_single_value_last(list, n_value, error);
+	return move_value_condition_last(list, n_value, error);
 }
 
 bool
@@ -171,7 +171,7 @@ speed_at_binding_limit(
 /* Returns the value that misses a condition, with enough digits to tell it from
  * the limit.  The caller frees it. */
 static char *
-missed_value_text(const struct condition *c, double value, bool most)
+value_beyond_limit_text(const struct condition *c, double value, bool most)
 {
 	const struct quantity *q = &c->quantity;
 	const char *unit = quantities_unit(q);
@@ -191,7 +191,7 @@ missed_value_text(const struct condition *c, double value, bool most)
 	while (strcmp(number, edge) == 0 && digits < 9);
 	char *words = xasprintf(
 	    "%s %s%s%s", name, number, unit[0] != '\0' ? " " : "", unit);
-	if (!is_single_value(c))
+	if (!is_single_value_condition(c))
 		xappend(&words, " (%s %s)", most ? tr("max") : tr("min"), edge);
 	free(name);
 	return words;
@@ -215,14 +215,14 @@ find_binding_condition(const struct session *s, const struct entry *entry,
 		return;
 	g->binds = margin.limit.i;
 	if (!met)
-		g->missed = missed_value_text(&g->list.at[g->binds],
+		g->missed = value_beyond_limit_text(&g->list.at[g->binds],
 		    forecast_value_with_band(all.forecast, g->binds).value,
 		    margin.limit.most);
 }
 
 /* Parses the goal again, because another feed may not cover its sizes. */
 static void
-begin_goal_search(
+parse_goal_for_feed(
     struct session *s, const struct site *site, struct goal *g, size_t feed)
 {
 	struct error error = {0};
@@ -249,7 +249,7 @@ goals_step_search(
 	if (!goals_is_search_needed(s, g, feed))
 		return;
 	if (g->found == NULL || g->feed != feed)
-		begin_goal_search(s, entry->site, g, feed);
+		parse_goal_for_feed(s, entry->site, g, feed);
 	if (g->why != NULL)
 		return;
 	struct question q = question_of_whole_product(s, entry, feed);
@@ -307,8 +307,8 @@ goal_speed_range_text(const struct speed_search *found, double from, double to,
 	int decimals = 1;
 	if (!units && answers_is_sheet_in_rpm(site)) {
 		decimals = 0;
-		from = answers_speed_number(site, from);
-		to = answers_speed_number(site, to);
+		from = answers_speed_in_sheet_unit(site, from);
+		to = answers_speed_in_sheet_unit(site, to);
 	}
 	return slowest   ? xasprintf(tr("up to %.*f%s"), decimals, to, unit)
 	       : fastest ? xasprintf(tr("from %.*f%s on"), decimals, from, unit)
@@ -334,7 +334,8 @@ goal_met_speeds_text(const struct goal *g, const struct site *site, bool units)
 					    : xstrdup("");
 	for (size_t i = 0; i < g->n_met; i++)
 		xappend_to_list(&words, tr(" and "), "%.*f", in_rpm ? 0 : 1,
-		    in_rpm ? answers_speed_number(site, g->met[i]) : g->met[i]);
+		    in_rpm ? answers_speed_in_sheet_unit(site, g->met[i])
+			   : g->met[i]);
 	FREED char *rpm =
 	    units && g->n_met == 1
 		? rotor_speed_rpm_text(site->rotor, g->met[0], NAN)
@@ -378,7 +379,7 @@ certain_speeds_text(const struct session *s, const struct goal *g,
 /* Returns which part of the outcome is beyond the measured speeds, to be
  * translated, or "". */
 static const char *
-extrapolated_part_text(
+goal_extrapolation_text(
     const struct entry *entry, const struct goal *g, double best)
 {
 	bool window = g->n_value == 0 && g->found->n_inside > 0;
@@ -408,7 +409,7 @@ goal_met_nowhere_text(const struct site *site, const struct goal *g,
 	if (isfinite(best))
 		xappend(&words, tr(", nearest %.*f"),
 		    answers_is_sheet_in_rpm(site) ? 0 : 1,
-		    answers_speed_number(site, best));
+		    answers_speed_in_sheet_unit(site, best));
 	return words;
 }
 
@@ -416,12 +417,12 @@ goal_met_nowhere_text(const struct site *site, const struct goal *g,
  * shorter forms only the certain speeds; if no speed meets it, the nearest one.
  * The caller frees it. */
 static char *
-goal_outcome_text(const struct session *s, const struct entry *entry,
+goal_met_or_nearest_text(const struct session *s, const struct entry *entry,
     const struct goal *g, double speed, enum goals_length length)
 {
 	bool full = length < GOALS_PLAIN;
 	double best = goals_best_speed(s, g, speed);
-	const char *beyond = extrapolated_part_text(entry, g, best);
+	const char *beyond = goal_extrapolation_text(entry, g, best);
 	FREED char *certain = certain_speeds_text(s, g, entry->site, length);
 	char *words = goal_met_speeds_text(g, entry->site, full);
 	if (words[0] == '\0') {
@@ -459,7 +460,7 @@ goals_outcome_text(const struct session *s, const struct entry *entry,
 			   ? xstrdup(tr("goal"))
 			   : xasprintf(tr("goal%s%s: being worked out"),
 				 full ? " " : "", full ? text : "");
-	FREED char *end = goal_outcome_text(s, entry, g, speed, length);
+	FREED char *end = goal_met_or_nearest_text(s, entry, g, speed, length);
 	return full ? xasprintf(tr("goal %s: met %s"), text, end)
 		    : xasprintf(tr("goal %s"), end);
 }

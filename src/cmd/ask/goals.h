@@ -31,7 +31,7 @@ bool goals_is_set(const struct session *s);
 
 /* True if a text has a sign or begins with a quantity; otherwise it names an
  * envelope. */
-bool goals_is_condition(const char *text);
+bool goals_is_condition_text(const char *text);
 
 /* Parses conditions and names of envelopes, separated by commas, into an empty
  * list; the last *n_value are single values.  feed: must cover their sizes,

@@ -68,7 +68,7 @@ open_forecast_of_passings(const struct session *s, const struct question *q,
 
 /* Keeps passings between 0 and 1, and no larger at a finer sieve. */
 static void
-compute_moved_product(struct moved *m, const struct session *s,
+compute_product_moved_to_feed(struct moved *m, const struct session *s,
     const struct entry *entry, size_t run)
 {
 	const struct run *r = &entry->site->run[run];
@@ -100,14 +100,14 @@ compute_moved_product(struct moved *m, const struct session *s,
 }
 
 static struct moved *
-moved_products_for_feed(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t feed_run)
+moved_products_cache_for_feed(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t feed_run)
 {
 	struct moved *m = s->moved;
 	const struct site *site = entry->site;
 	const struct posterior *posterior =
-	    posterior_for_answers(s, entry, params);
-	struct model_settings settings = model_settings_of_answer(s, entry);
+	    posterior_if_params_of_entry(s, entry, params);
+	struct model_settings settings = model_settings_with_scenario(s, entry);
 	const struct params *drawn =
 	    posterior != NULL ? &posterior->draw[0].params : params;
 	if (m->site == site && m->digest == site->digest &&
@@ -131,33 +131,36 @@ moved_products_for_feed(const struct session *s, const struct entry *entry,
 }
 
 const struct psd *
-product_moved_to_feed(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t run, size_t feed_run)
+measured_product_moved_to_feed(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t run,
+    size_t feed_run)
 {
 	const struct psd *measured = &entry->site->run[run].product;
 	if (params == NULL || !entry->site->individual_feeds)
 		return measured;
-	struct moved *m = moved_products_for_feed(s, entry, params, feed_run);
+	struct moved *m =
+	    moved_products_cache_for_feed(s, entry, params, feed_run);
 	if (measured->n > 0 && m->product[run].n == 0)
-		compute_moved_product(m, s, entry, run);
+		compute_product_moved_to_feed(m, s, entry, run);
 	return &m->product[run];
 }
 
 double
-largest_move_to_feed(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t run, size_t feed_run)
+largest_change_by_moving_to_feed(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t run,
+    size_t feed_run)
 {
 	const struct site *site = entry->site;
 	if (params == NULL || !site->individual_feeds || site->with[0] != '\0')
 		return 0;
-	product_moved_to_feed(s, entry, params, run, feed_run);
+	measured_product_moved_to_feed(s, entry, params, run, feed_run);
 	return s->moved->most[run];
 }
 
 double
-measured_mean_at_speed(const struct session *s, const struct entry *entry,
-    size_t feed_run, const struct quantity *of, double speed, double *moved,
-    size_t *n)
+measured_mean_quantity_at_speed(const struct session *s,
+    const struct entry *entry, size_t feed_run, const struct quantity *of,
+    double speed, double *moved, size_t *n)
 {
 	const struct site *site = entry->site;
 	const struct params *params = &entry->params;
@@ -170,13 +173,15 @@ measured_mean_at_speed(const struct session *s, const struct entry *entry,
 		if (site->run[r].product.n == 0)
 			continue;
 		double value = screened_quantity_of_product(
-		    product_moved_to_feed(s, entry, params, r, feed_run), of);
+		    measured_product_moved_to_feed(
+			s, entry, params, r, feed_run),
+		    of);
 		if (isnan(value))
 			continue;
 		sum += value;
 		++*n;
-		*moved = fmax(*moved,
-		    largest_move_to_feed(s, entry, params, r, feed_run));
+		*moved = fmax(*moved, largest_change_by_moving_to_feed(
+					  s, entry, params, r, feed_run));
 	}
 	return *n > 0 ? quantities_value_in_shown_unit(of, sum / (double)*n)
 		      : NAN;

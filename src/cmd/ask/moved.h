@@ -29,21 +29,22 @@ void moved_products_discard(struct moved *moved);
  * these parameters.  It is not moved if params is NULL or the feeds are the
  * same, nor at sieves that the run's feed lacks.  Valid until the next call
  * with another site, feed or parameters. */
-const struct psd *product_moved_to_feed(const struct session *s,
+const struct psd *measured_product_moved_to_feed(const struct session *s,
     const struct entry *entry, const struct params *params, size_t run,
     size_t feed_run);
 
 /* Returns the largest change of a passing by that move, 0..1; 0 for a feed from
  * another sheet or for another machine, as no measured product is shown with
  * those. */
-double largest_move_to_feed(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t run, size_t feed_run);
+double largest_change_by_moving_to_feed(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t run,
+    size_t feed_run);
 
 /* Returns the measured value of a quantity at a speed, moved to a feed and
  * averaged over repeats, in the unit shown; NAN if none was measured, or if the
  * feed or the machine is another.  Sets *n to the number of runs, and raises
  * *moved to the largest change of a passing. */
-double measured_mean_at_speed(const struct session *s,
+double measured_mean_quantity_at_speed(const struct session *s,
     const struct entry *entry, size_t feed_run, const struct quantity *of,
     double speed, double *moved, size_t *n);
 

@@ -18,7 +18,7 @@
  * frees it.  *place: the index of their posterior and evidence in the history.
  */
 static bool *
-mark_runs_that_inform(
+mark_runs_used_in_correction(
     const struct history *h, enum correction correction, size_t *place)
 {
 	size_t n = h->site->n_run;
@@ -44,19 +44,19 @@ correction_in_use(const struct session *s, const struct entry *entry)
 /* Returns which runs inform the entry's answers, or the training runs if
  * answers are those of the model alone. */
 static enum correction
-which_runs_inform_comparison(const struct session *s, const struct entry *entry)
+correction_all_or_training(const struct session *s, const struct entry *entry)
 {
 	return correction_in_use(s, entry) == CORRECTION_ALL ? CORRECTION_ALL
 							     : CORRECTION_TRAIN;
 }
 
-/* As mark_runs_that_inform, for the entry's answers. */
+/* As mark_runs_used_in_correction, for the entry's answers. */
 static bool *
 mark_runs_that_inform_answers(
     const struct session *s, const struct entry *entry, size_t *place)
 {
-	return mark_runs_that_inform(entry->origin->history,
-	    which_runs_inform_comparison(s, entry), place);
+	return mark_runs_used_in_correction(entry->origin->history,
+	    correction_all_or_training(s, entry), place);
 }
 
 /* Returns the options for drawing the posterior given the runs in `use`
@@ -80,7 +80,7 @@ posterior_options_of_runs(
 static bool
 can_sample_posterior(const struct entry *entry)
 {
-	const struct fit *fit = origin_source_fit(entry);
+	const struct fit *fit = origin_fit_behind_params(entry);
 	return fit != NULL && !fit_has_too_few_data(fit) &&
 	       fit->stop != CALIBRATE_STOPPED;
 }
@@ -103,7 +103,8 @@ sample_posterior_steps(const struct session *s, const struct entry *entry,
 			    "posterior: drawing parameters that fit the data");
 		struct posterior_options o =
 		    posterior_options_of_runs(s, entry, use);
-		h->drawing = posterior_begin(h->site, &h->fit.params, &o);
+		h->drawing =
+		    posterior_begin_sampling(h->site, &h->fit.params, &o);
 		h->drawn = place;
 	}
 	bool done = false;
@@ -120,15 +121,15 @@ sample_posterior_steps(const struct session *s, const struct entry *entry,
 
 /* Returns the posterior, or NULL if it is not complete after these steps. */
 static const struct posterior *
-posterior_after_steps(const struct session *s, const struct entry *entry,
+posterior_if_done_in_steps(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
 {
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = mark_runs_that_inform(h, correction, &place);
+	FREED bool *use = mark_runs_used_in_correction(h, correction, &place);
 	if (h->noise != s->set.noise || h->speed_sd != s->set.speed_sd ||
 	    h->draw_seed != s->set.draw_seed)
-		history_discard_draws(h, &s->set);
+		history_reset_posteriors(h, &s->set);
 	if (h->posterior[place] == NULL)
 		sample_posterior_steps(s, entry, use, place, steps);
 	return h->posterior[place];
@@ -153,7 +154,7 @@ posterior_of_calibration(const struct session *s, const struct entry *entry,
     enum correction correction)
 {
 	return can_sample_posterior(entry)
-		   ? posterior_after_steps(s, entry, correction, 0)
+		   ? posterior_if_done_in_steps(s, entry, correction, 0)
 		   : NULL;
 }
 
@@ -162,28 +163,30 @@ posterior_sample_a_part(const struct session *s, const struct entry *entry)
 {
 	enum { STEPS = 16 };
 	return !can_sample_posterior(entry) ||
-	       posterior_after_steps(s, entry,
-		   which_runs_inform_comparison(s, entry), STEPS) != NULL;
+	       posterior_if_done_in_steps(s, entry,
+		   correction_all_or_training(s, entry), STEPS) != NULL;
 }
 
 const struct posterior *
-posterior_for_comparison(const struct session *s, const struct entry *entry)
+posterior_even_if_correction_off(
+    const struct session *s, const struct entry *entry)
 {
 	return posterior_of_calibration(
-	    s, entry, which_runs_inform_comparison(s, entry));
+	    s, entry, correction_all_or_training(s, entry));
 }
 
 const struct evidence *
-evidence_on_calibration(const struct session *s, const struct entry *entry)
+trust_evidence_of_calibration(
+    const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_source_fit(entry);
+	const struct fit *fit = origin_fit_behind_params(entry);
 	if (fit == NULL)
 		return NULL;
 	struct history *h = entry->origin->history;
 	size_t place;
 	FREED bool *use = mark_runs_that_inform_answers(s, entry, &place);
 	struct evidence **e = &h->evidence[place];
-	const struct posterior *p = posterior_for_comparison(s, entry);
+	const struct posterior *p = posterior_even_if_correction_off(s, entry);
 	bool first = *e == NULL;
 	if (first)
 		*e = xcalloc(1, sizeof **e);
@@ -197,13 +200,14 @@ evidence_on_calibration(const struct session *s, const struct entry *entry)
 }
 
 struct evidence
-evidence_without_draws(const struct session *s, const struct entry *entry)
+trust_evidence_without_posterior(
+    const struct session *s, const struct entry *entry)
 {
 	struct history *h = entry->origin->history;
 	size_t place;
 	FREED bool *use = mark_runs_that_inform_answers(s, entry, &place);
 	return trust_gather_evidence(h->site, h->train, use,
-	    origin_source_fit(entry), &h->bounds, NULL, s->set.noise);
+	    origin_fit_behind_params(entry), &h->bounds, NULL, s->set.noise);
 }
 
 double
@@ -223,23 +227,23 @@ difference_from_nearest_feed(
 }
 
 static bool
-has_poor_fit(const struct session *s, const struct entry *entry)
+has_fit_too_poor_for_band(const struct session *s, const struct entry *entry)
 {
-	const struct evidence *e = evidence_on_calibration(s, entry);
+	const struct evidence *e = trust_evidence_of_calibration(s, entry);
 	return e != NULL && trust_is_band_impossible(e->rmse, e->speeds);
 }
 
 /* True if the model's settings are those of the fit. */
 static bool
-has_settings_of_fit(const struct session *s, const struct entry *entry)
+are_settings_those_of_fit(const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_source_fit(entry);
+	const struct fit *fit = origin_fit_behind_params(entry);
 	return fit != NULL &&
 	       model_settings_are_same(&s->set.model, &fit->settings);
 }
 
 struct model_settings
-model_settings_of_answer(const struct session *s, const struct entry *entry)
+model_settings_with_scenario(const struct session *s, const struct entry *entry)
 {
 	struct model_settings settings = s->set.model;
 	const struct scenario *w = entry->scenario;
@@ -253,32 +257,34 @@ model_settings_of_answer(const struct session *s, const struct entry *entry)
 /* Returns the posterior behind the entry's answers, or NULL if these are those
  * of the model alone. */
 static const struct posterior *
-posterior_unless_model_alone(const struct session *s, const struct entry *entry)
+posterior_unless_correction_off(
+    const struct session *s, const struct entry *entry)
 {
 	bool off = correction_in_use(s, entry) == CORRECTION_OFF ||
 		   session_entry_being_fitted(s) != NULL;
-	bool none =
-	    off || !has_settings_of_fit(s, entry) || has_poor_fit(s, entry);
-	return none ? NULL : posterior_for_comparison(s, entry);
+	bool none = off || !are_settings_those_of_fit(s, entry) ||
+		    has_fit_too_poor_for_band(s, entry);
+	return none ? NULL : posterior_even_if_correction_off(s, entry);
 }
 
 const struct posterior *
 posterior_for_unseen_cuts(
     const struct session *s, const struct entry *entry, bool training_only)
 {
-	if (!has_settings_of_fit(s, entry) || has_poor_fit(s, entry))
+	if (!are_settings_those_of_fit(s, entry) ||
+	    has_fit_too_poor_for_band(s, entry))
 		return NULL;
 	return training_only
 		   ? posterior_of_calibration(s, entry, CORRECTION_TRAIN)
-		   : posterior_for_comparison(s, entry);
+		   : posterior_even_if_correction_off(s, entry);
 }
 
 const struct posterior *
-posterior_for_answers(const struct session *s, const struct entry *entry,
+posterior_if_params_of_entry(const struct session *s, const struct entry *entry,
     const struct params *params)
 {
 	return memcmp(params, &entry->params, sizeof *params) == 0
-		   ? posterior_unless_model_alone(s, entry)
+		   ? posterior_unless_correction_off(s, entry)
 		   : NULL;
 }
 
@@ -287,15 +293,15 @@ crusher_new_for_answers(const struct session *s, const struct entry *entry,
     const double *size, size_t n)
 {
 	return crusher_new(size, n, &entry->params,
-	    model_settings_of_answer(s, entry),
-	    posterior_unless_model_alone(s, entry));
+	    model_settings_with_scenario(s, entry),
+	    posterior_unless_correction_off(s, entry));
 }
 
 struct ensemble *
 ensemble_for_answers(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
-	const struct posterior *p = posterior_unless_model_alone(s, entry);
+	const struct posterior *p = posterior_unless_correction_off(s, entry);
 	if (p == NULL)
 		return NULL;
 	struct history *h = entry->origin->history;
@@ -309,11 +315,11 @@ ensemble_for_answers(
 		return kept->ensemble;
 	ensemble_free(kept->ensemble);
 	const struct psd *feed = site_feed_of_run(entry->site, feed_run);
-	struct psd sizes = predict_table_sizes(entry->site, feed);
+	struct psd sizes = predict_list_table_sieves(entry->site, feed);
 	*kept = (struct ensemble_of){p, entry->site, feed_run,
 	    ensemble_new(p, feed, sizes.size, sizes.n)};
-	ensemble_set_machine(
-	    kept->ensemble, model_settings_of_answer(s, entry));
+	ensemble_set_machine_settings(
+	    kept->ensemble, model_settings_with_scenario(s, entry));
 	psd_free(&sizes);
 	return kept->ensemble;
 }
@@ -321,7 +327,7 @@ ensemble_for_answers(
 const char *
 band_why_missing(const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_source_fit(entry);
+	const struct fit *fit = origin_fit_behind_params(entry);
 	return fit == NULL ? tr("no uncertainty band: the parameters do not "
 				"come from a "
 				"calibration in this session")
@@ -333,7 +339,7 @@ band_why_missing(const struct session *s, const struct entry *entry)
 			"correction all' gives one")
 	       : fit->stop == CALIBRATE_STOPPED
 		   ? tr("no uncertainty band: the calibration was stopped")
-	       : has_poor_fit(s, entry)
+	       : has_fit_too_poor_for_band(s, entry)
 		   ? tr("no uncertainty band: the fit is poor, "
 			"and two speeds do "
 			"not show how its error changes with "
@@ -345,11 +351,11 @@ band_why_missing(const struct session *s, const struct entry *entry)
 }
 
 bool
-band_error_missing(
+band_set_error_missing(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	bool off = correction_in_use(s, entry) == CORRECTION_OFF;
-	const struct fit *fit = origin_source_fit(entry);
+	const struct fit *fit = origin_fit_behind_params(entry);
 	return error_set(error, ERROR_USAGE, "%s\n%s",
 	    band_why_missing(s, entry),
 	    fit == NULL ? tr("run 'calibrate' first")
@@ -364,7 +370,8 @@ band_error_missing(
 
 /* True if more runs inform the answers than the draws can use. */
 static bool
-do_too_many_runs_inform(const struct session *s, const struct entry *entry)
+has_more_runs_than_posterior_uses(
+    const struct session *s, const struct entry *entry)
 {
 	const struct history *h = entry->origin->history;
 	size_t place, n = 0;
@@ -388,9 +395,9 @@ _Static_assert(POSTERIOR_RUNS == 40, "the text of correction_in_words");
 const char *
 correction_in_words(const struct session *s, const struct entry *entry)
 {
-	if (posterior_unless_model_alone(s, entry) == NULL)
+	if (posterior_unless_correction_off(s, entry) == NULL)
 		return tr("the model alone");
-	if (do_too_many_runs_inform(s, entry))
+	if (has_more_runs_than_posterior_uses(s, entry))
 		return tr("model corrected by 40 of the runs, from the "
 			  "slowest to the fastest");
 	bool former = entry->has_fit &&
@@ -403,7 +410,7 @@ correction_in_words(const struct session *s, const struct entry *entry)
 }
 
 const char *
-correction_in_legend(const struct session *s, const struct entry *entry,
+correction_legend_text(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	static const char *const WORDS[] = {[CORRECTION_ALL] = N_(", all runs"),
@@ -419,23 +426,24 @@ band_note_meaning(struct answer *r, const struct session *s,
     const struct entry *entry, bool product)
 {
 	if (!product) {
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "low, high: the middle %.0f %% of the draws; the value is "
 		    "the fit to the training runs, and may lie outside",
 		    100 * settings_band_probability(&s->set));
 		if (entry->params.breakage == 0 && s->set.model.impacts.n == 0)
-			answer_say(r, ANSWER_REMARK,
+			answer_add_sentence(r, ANSWER_REMARK,
 			    "at 72 to 87 of 100 synthetic plants that follow "
 			    "Eqs 1 to 3, such ranges held the truth; those of "
 			    "the break size at 52 to 77");
 		if (!entry->has_fit)
-			answer_say(r, ANSWER_REMARK,
+			answer_add_sentence(r, ANSWER_REMARK,
 			    "the difference between the two sites is not "
 			    "included");
 		return;
 	}
-	answer_say(r, ANSWER_REMARK, "%s", correction_in_words(s, entry));
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(
+	    r, ANSWER_REMARK, "%s", correction_in_words(s, entry));
+	answer_add_sentence(r, ANSWER_REMARK,
 	    entry->has_fit
 		? N_("low, high: the true value lies between them with %.0f "
 		     "%% probability")
@@ -444,7 +452,7 @@ band_note_meaning(struct answer *r, const struct session *s,
 		     "not included"),
 	    100 * settings_band_probability(&s->set));
 	if (s->set.speed_sd > 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "low and high allow for tip speeds that are off by %g %% "
 		    "('set speed_sd')",
 		    s->set.speed_sd);

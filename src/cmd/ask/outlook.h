@@ -29,55 +29,55 @@ const struct posterior *posterior_of_calibration(const struct session *s,
 struct posterior *posterior_new_of_training_runs(
     const struct session *s, const struct entry *entry);
 
-/* Draws a part of the posterior that posterior_for_comparison returns.  Returns
- * true once it is complete, or if there is nothing to draw from. */
+/* Draws a part of the posterior that posterior_even_if_correction_off returns.
+ * Returns true once it is complete, or if there is nothing to draw from. */
 bool posterior_sample_a_part(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior given the runs that correct the model or, if answers
  * are those of the model alone, given the training runs. */
-const struct posterior *posterior_for_comparison(
+const struct posterior *posterior_even_if_correction_off(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior of a calibration, for comparison with cuts that it did
  * not use: the one given the training runs if training_only is true, otherwise
- * that of posterior_for_comparison.  NULL if answers have no band for a reason
- * other than `set correction off`. */
+ * that of posterior_even_if_correction_off.  NULL if answers have no band for a
+ * reason other than `set correction off`. */
 const struct posterior *posterior_for_unseen_cuts(
     const struct session *s, const struct entry *entry, bool training_only);
 
 /* Returns the evidence about the calibration that found the entry's parameters,
  * from the runs that correct the model; NULL if no calibration in this session
  * found them.  Cached with the calibration. */
-const struct evidence *evidence_on_calibration(
+const struct evidence *trust_evidence_of_calibration(
     const struct session *s, const struct entry *entry);
 
-/* As evidence_on_calibration, but for an entry that has a fit, and without
- * draws. */
-struct evidence evidence_without_draws(
+/* As trust_evidence_of_calibration, but for an entry that has a fit, and
+ * without draws. */
+struct evidence trust_evidence_without_posterior(
     const struct session *s, const struct entry *entry);
 
 /* Returns the largest difference, passing 0..1, between the feed of a run and
  * the most similar feed of the runs that correct the model.  Call it only if
- * evidence_on_calibration does not return NULL. */
+ * trust_evidence_of_calibration does not return NULL. */
 double difference_from_nearest_feed(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
 /* Returns the products of the draws for the feed of a run, at the sizes of
- * predict_table_sizes.  NULL without draws, if answers are those of the model
- * alone, or if the fit was made with other settings.  Cached until another is
- * requested. */
+ * predict_list_table_sieves.  NULL without draws, if answers are those of the
+ * model alone, or if the fit was made with other settings.  Cached until
+ * another is requested. */
 struct ensemble *ensemble_for_answers(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
 /* Returns the current settings of the model, with the changes that the question
  * makes to the machine. */
-struct model_settings model_settings_of_answer(
+struct model_settings model_settings_with_scenario(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior behind the entry's answers with these parameters, or
  * NULL if they are those of the model alone. */
-const struct posterior *posterior_for_answers(const struct session *s,
+const struct posterior *posterior_if_params_of_entry(const struct session *s,
     const struct entry *entry, const struct params *params);
 
 /* Returns the crusher behind the entry's answers, for any feed, with classes
@@ -92,7 +92,7 @@ const char *band_why_missing(
 
 /* Sets the error that says why there is no band, and what to do to get one.
  * Returns false. */
-bool band_error_missing(
+bool band_set_error_missing(
     const struct session *s, const struct entry *entry, struct error *error);
 
 /* Returns "all", "train" or "off", the correction in use as programs get it. */
@@ -113,7 +113,7 @@ void band_note_meaning(struct answer *r, const struct session *s,
 /* Returns correction_in_words in short, to follow a name in a legend: ", all
  * runs" or ", training runs"; ", model" if the user asked for the model alone;
  * "" if the prediction is that of the model alone for another reason. */
-const char *correction_in_legend(const struct session *s,
+const char *correction_legend_text(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
 #endif

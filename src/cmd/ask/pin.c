@@ -43,7 +43,7 @@ pin_prediction(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	struct params params = entry->params;
 	bool forming = answers_best_params_so_far(s, entry, &params);
-	if (!forming && !answers_require_params_of_current(s, error))
+	if (!forming && !answers_require_params_current_site(s, error))
 		return false;
 	if (q->scenario.feed != NULL)
 		return error_set(error, ERROR_USAGE,
@@ -62,7 +62,7 @@ pin_prediction(struct session *s, const struct args *args, struct question *q,
 	s->pin = s->pins[s->n_pin++] = pin;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, q->speed, NAN);
-	session_note(s,
+	session_print_note(s,
 	    forming
 		? N_("pinned %s at %.*f m/s%s, from the running calibration: "
 		     "save leaves it out")

@@ -19,10 +19,10 @@ static bool error_expected_quantity(const char *text, struct error *error);
 /* Parses a size in mm, with or without "mm" after it, or the name of a sieve.
  */
 static bool
-parse_size_mm(const char *text, double *m)
+parse_mm_to_metres(const char *text, double *m)
 {
 	FREED char *word = xstrdup(text);
-	double mm = sieve_name_mm(text, SIEVE_NONE);
+	double mm = sieve_mm_of_name(text, SIEVE_NONE);
 	if (text_ends_with(word, "mm"))
 		word[strlen(word) - 2] = '\0';
 	bool ok = (mm > 0 || text_parse_typed_number(word, &mm)) &&
@@ -33,7 +33,7 @@ parse_size_mm(const char *text, double *m)
 }
 
 bool
-quantities_parse_fraction(
+quantities_parse_size_fraction(
     const char *text, struct fraction *fraction, struct error *error)
 {
 	const char *slash = strchr(text, '/');
@@ -41,10 +41,10 @@ quantities_parse_fraction(
 	if (slash != NULL) {
 		FREED char *lower = xstrndup(text, (size_t)(slash - text));
 		bool zero = text_parse_number(lower, &fine) && fine == 0;
-		if (!zero && !parse_size_mm(lower, &fine))
+		if (!zero && !parse_mm_to_metres(lower, &fine))
 			slash = NULL;
 	}
-	if (slash == NULL || !parse_size_mm(slash + 1, &coarse) ||
+	if (slash == NULL || !parse_mm_to_metres(slash + 1, &coarse) ||
 	    fine >= coarse)
 		return error_set(error, ERROR_USAGE,
 		    "expected a fraction in mm, finer/coarser, got '%s'\n"
@@ -61,7 +61,7 @@ static bool
 parse_passing_quantity(
     const char *text, const char *rest, struct quantity *q, struct error *error)
 {
-	return parse_size_mm(rest, &q->x) ||
+	return parse_mm_to_metres(rest, &q->x) ||
 	       error_expected_quantity(text, error);
 }
 
@@ -86,7 +86,7 @@ parse_fraction_bounds(
 {
 	if (strchr(rest, '/') == NULL)
 		return error_expected_quantity(text, error);
-	return quantities_parse_fraction(rest, &q->fraction, error);
+	return quantities_parse_size_fraction(rest, &q->fraction, error);
 }
 
 static bool
@@ -96,7 +96,7 @@ parse_fineness_modulus(
 	(void)text;
 	for (size_t i = 0; i < MODULI; i++)
 		if (rest[0] == '\0' ||
-		    text_same_folded(rest, MODULUS[i].name)) {
+		    text_is_same_folded(rest, MODULUS[i].name)) {
 			q->modulus = &MODULUS[i];
 			return true;
 		}
@@ -117,7 +117,7 @@ expect_end_of_quantity(
 enum { OFFERS = 3 };
 static const struct {
 	/* How the kind is written: for people, as a key, as typed, and with
-	 * which unit; %s stands for quantity_argument_text.  word: how it
+	 * which unit; %s stands for quantity_text_without_kind.  word: how it
 	 * begins when typed, or NULL. */
 	const char *words, *key, *typed, *unit, *word;
 	/* Parses what follows the word; NULL if the kind cannot be typed. */
@@ -158,7 +158,7 @@ error_expected_quantity(const char *text, struct error *error)
 }
 
 const char *
-quantities_completion_offer(size_t n)
+quantities_nth_completion(size_t n)
 {
 	for (size_t kind = 0; kind < ARRAY_LEN(KINDS); kind++)
 		for (size_t i = 0; i < OFFERS; i++)
@@ -171,7 +171,7 @@ quantities_completion_offer(size_t n)
  * begin with that word.  Nothing may follow the word of a kind without
  * argument. */
 static const char *
-text_after_kind_word(const char *text, enum quantity_kind kind)
+text_after_quantity_kind(const char *text, enum quantity_kind kind)
 {
 	const char *word = KINDS[kind].word;
 	size_t n = word != NULL ? strlen(word) : 0;
@@ -185,14 +185,14 @@ text_after_kind_word(const char *text, enum quantity_kind kind)
 /* Returns the kind whose word the text begins with, the longest of several.
  * Without one, a text with "/" is a fraction, any other a size such as P80. */
 static enum quantity_kind
-find_quantity_kind(const char *text, const char **rest)
+parse_quantity_kind(const char *text, const char **rest)
 {
 	enum quantity_kind kind =
 	    strchr(text, '/') != NULL ? QUANTITY_SHARE : QUANTITY_SIZE;
 	*rest = text;
 	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++) {
 		const char *after =
-		    text_after_kind_word(text, (enum quantity_kind)i);
+		    text_after_quantity_kind(text, (enum quantity_kind)i);
 		if (after != NULL && after > *rest) {
 			kind = (enum quantity_kind)i;
 			*rest = after;
@@ -206,7 +206,7 @@ parse_quantity_by_kind(
     const char *text, struct quantity *q, struct error *error)
 {
 	const char *rest;
-	q->kind = find_quantity_kind(text, &rest);
+	q->kind = parse_quantity_kind(text, &rest);
 	if (strcasecmp(text, "fines") == 0) {
 		q->kind = QUANTITY_PASSING;
 		q->x = QUANTITIES_FINES;
@@ -226,7 +226,7 @@ quantities_parse_one(const char *text, const struct partition *partition,
 	*q = (struct quantity){.kind = QUANTITY_SHARE};
 	if (of != NULL) {
 		*of = '\0';
-		ok = quantities_parse_fraction(
+		ok = quantities_parse_size_fraction(
 		    text_trim(of + 4), &q->fraction, error);
 	}
 	ok = ok && parse_quantity_by_kind(text_trim(word), q, error);
@@ -262,7 +262,8 @@ quantities_apply_cut_option(
 		    "%g/%g is itself a fraction, and cut= names another "
 		    "one\nleave out cut=, or ask for the fraction by itself: "
 		    "its share is of the whole product",
-		    units_mm(q->fraction.fine), units_mm(q->fraction.coarse));
+		    units_m_to_mm(q->fraction.fine),
+		    units_m_to_mm(q->fraction.coarse));
 	if (!fraction_is_screened(&q->fraction))
 		q->fraction = *cut;
 	return true;
@@ -279,8 +280,8 @@ quantities_check_feed_covers(
 			return error_set(error, ERROR_USAGE,
 			    "%g mm is finer than the feed's finest sieve, %g "
 			    "mm\nuse a size on or above that sieve",
-			    units_mm(point[i]),
-			    units_mm(feed->size[feed->n - 1]));
+			    units_m_to_mm(point[i]),
+			    units_m_to_mm(feed->size[feed->n - 1]));
 	return true;
 }
 
@@ -314,8 +315,8 @@ quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
 char *
 quantities_fraction_text(const struct fraction *fraction)
 {
-	return xasprintf(
-	    "%g/%g", units_mm(fraction->fine), units_mm(fraction->coarse));
+	return xasprintf("%g/%g", units_m_to_mm(fraction->fine),
+	    units_m_to_mm(fraction->coarse));
 }
 
 enum form { FOR_PEOPLE, AS_KEY, AS_TYPED };
@@ -323,15 +324,15 @@ enum form { FOR_PEOPLE, AS_KEY, AS_TYPED };
 /* Returns the size, percentage, fraction or standard of a quantity, or "".  The
  * caller frees it. */
 static char *
-quantity_argument_text(const struct quantity *q, enum form form)
+quantity_text_without_kind(const struct quantity *q, enum form form)
 {
 	char letter[] = {q->letter != 0 ? q->letter : 'P', '\0'};
 	switch (q->kind) {
 	case QUANTITY_PASSING:
-		return xasprintf("%g", units_mm(q->x));
+		return xasprintf("%g", units_m_to_mm(q->x));
 	case QUANTITY_SIZE:
-		return xasprintf(
-		    "%s%g", form == FOR_PEOPLE ? letter : "", units_pct(q->x));
+		return xasprintf("%s%g", form == FOR_PEOPLE ? letter : "",
+		    units_fraction_to_pct(q->x));
 	case QUANTITY_SHARE:
 		return quantities_fraction_text(&q->fraction);
 	case QUANTITY_MODULUS:
@@ -349,7 +350,7 @@ put_argument_into_quantity_name(
     const char *words, const struct quantity *q, enum form form)
 {
 	const char *at = strstr(words, "%s");
-	FREED char *name = quantity_argument_text(q, form);
+	FREED char *name = quantity_text_without_kind(q, form);
 	return at == NULL ? xstrdup(words)
 			  : xasprintf("%.*s%s%s", (int)(at - words), words,
 				name, at + strlen("%s"));
@@ -367,7 +368,7 @@ append_fraction_name(char *words, const struct quantity *q)
 }
 
 static bool
-is_fines(const struct quantity *q)
+is_fines_quantity(const struct quantity *q)
 {
 	return q->kind == QUANTITY_PASSING && q->letter != 0;
 }
@@ -376,9 +377,9 @@ char *
 quantities_name(const struct quantity *q)
 {
 	return append_fraction_name(
-	    is_fines(q) ? xstrdup(tr("fines"))
-			: put_argument_into_quantity_name(
-			      tr(KINDS[q->kind].words), q, FOR_PEOPLE),
+	    is_fines_quantity(q) ? xstrdup(tr("fines"))
+				 : put_argument_into_quantity_name(
+				       tr(KINDS[q->kind].words), q, FOR_PEOPLE),
 	    q);
 }
 
@@ -388,16 +389,17 @@ quantities_sentence_with_value(const struct quantity *q, double value)
 	double shown = quantities_value_in_shown_unit(q, value);
 	if (q->kind == QUANTITY_PASSING && !fraction_is_screened(&q->fraction))
 		return xasprintf(
-		    tr("%.1f %% passes %g mm"), shown, units_mm(q->x));
+		    tr("%.1f %% passes %g mm"), shown, units_m_to_mm(q->x));
 	FREED char *words = quantities_name(q);
 	return xasprintf(tr("%s is %.*f%s"), words, quantities_decimals(q),
 	    shown, quantities_unit_suffix(q));
 }
 
 char *
-quantities_typed_text(const struct quantity *q)
+quantities_text_to_type(const struct quantity *q)
 {
-	const char *typed = is_fines(q) ? "fines" : KINDS[q->kind].typed;
+	const char *typed =
+	    is_fines_quantity(q) ? "fines" : KINDS[q->kind].typed;
 	return append_fraction_name(
 	    put_argument_into_quantity_name(typed, q, AS_TYPED), q);
 }
@@ -409,8 +411,8 @@ quantities_field_name(const struct quantity *q)
 	    put_argument_into_quantity_name(KINDS[q->kind].key, q, AS_KEY);
 	const char *unit = quantities_unit(q);
 	if (fraction_is_screened(&q->fraction))
-		xappend(&key, "_%g_%g", units_mm(q->fraction.fine),
-		    units_mm(q->fraction.coarse));
+		xappend(&key, "_%g_%g", units_m_to_mm(q->fraction.fine),
+		    units_m_to_mm(q->fraction.coarse));
 	if (unit[0] != '\0')
 		xappend(&key, "_%s", unit[0] == '%' ? "pct" : unit);
 	return key;
@@ -455,8 +457,8 @@ double
 quantities_value_in_shown_unit(const struct quantity *q, double value)
 {
 	const char *unit = quantities_unit(q);
-	return strcmp(unit, "%") == 0    ? units_pct(value)
-	       : strcmp(unit, "mm") == 0 ? units_mm(value)
+	return strcmp(unit, "%") == 0    ? units_fraction_to_pct(value)
+	       : strcmp(unit, "mm") == 0 ? units_m_to_mm(value)
 					 : value;
 }
 
@@ -472,7 +474,7 @@ quantities_parse_cut_option(const struct args *args, struct fraction *fraction,
 {
 	*fraction = (struct fraction){0};
 	if (args->cut != NULL &&
-	    !quantities_parse_fraction(args->cut, fraction, error))
+	    !quantities_parse_size_fraction(args->cut, fraction, error))
 		return false;
 	if (args->cut == NULL && !alone &&
 	    (args->sharpness > 0 || args_is_given(args, &args->cut_size)))

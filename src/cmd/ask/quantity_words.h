@@ -20,10 +20,10 @@ bool quantities_is_beginning_of_text(const char *text);
 
 /* Returns completion n for a goal, "p80=" or "passing ": a few of each kind
  * that can be typed.  NULL after the last. */
-const char *quantities_completion_offer(size_t n);
+const char *quantities_nth_completion(size_t n);
 
 /* Parses a fraction in mm, "0/4" or "4/8". */
-bool quantities_parse_fraction(
+bool quantities_parse_size_fraction(
     const char *text, struct fraction *fraction, struct error *error);
 
 /* Applies the option cut= to a quantity that names no fraction.  Returns false
@@ -55,7 +55,7 @@ char *quantities_sentence_with_value(const struct quantity *q, double value);
 
 /* Returns the quantity as one would type it: "p80", "passing 2 mm".  The caller
  * frees it. */
-char *quantities_typed_text(const struct quantity *q);
+char *quantities_text_to_type(const struct quantity *q);
 
 /* Returns "0/4".  The caller frees it. */
 char *quantities_fraction_text(const struct fraction *fraction);

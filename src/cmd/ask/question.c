@@ -29,7 +29,7 @@ scenario_text(const struct scenario *w)
 		xappend_to_list(&words, ", ", "%s", w->feed->words);
 	if (w->rotor > 0)
 		xappend_to_list(
-		    &words, ", ", tr("rotor %g mm"), units_mm(w->rotor));
+		    &words, ", ", tr("rotor %g mm"), units_m_to_mm(w->rotor));
 	if (w->bypass > 0)
 		xappend_to_list(
 		    &words, ", ", tr("cascade %g %%"), 100 * w->bypass);
@@ -63,7 +63,7 @@ copy_site_with_scenario(const struct site *own, const struct scenario *w)
 /* If the scenario changes anything, turns the question into one about a changed
  * copy of its entry. */
 static void
-apply_scenario(const struct session *s, struct question *q)
+apply_question_scenario(const struct session *s, struct question *q)
 {
 	const struct scenario *w = &q->scenario;
 	const struct entry *loaded = q->entry;
@@ -85,12 +85,12 @@ apply_scenario(const struct session *s, struct question *q)
 }
 
 void
-question_from_scenario(const struct session *s, const struct entry *loaded,
+question_set_from_scenario(const struct session *s, const struct entry *loaded,
     const struct scenario *w, struct question *q)
 {
 	*q = question_of_whole_product(s, loaded, SITE_MEAN_FEED);
 	q->scenario = *w;
-	apply_scenario(s, q);
+	apply_question_scenario(s, q);
 }
 
 void
@@ -103,9 +103,10 @@ question_free(struct session *s, struct question *q)
 	if (q->site == NULL)
 		return;
 	moved_products_discard(s->moved);
-	history_discard_for_site(changed->history, q->site);
+	history_free_ensembles_of_site(changed->history, q->site);
 	if (changed->origin != NULL)
-		history_discard_for_site(changed->origin->history, q->site);
+		history_free_ensembles_of_site(
+		    changed->origin->history, q->site);
 	site_free(q->site);
 	free(changed->train);
 }
@@ -140,12 +141,12 @@ parse_speed_or_rpm(
 	       error_set(error, ERROR_USAGE,
 		   "%s: expected a tip speed from 1 to %d m/s, got %g (%g "
 		   "rpm with a rotor of %g mm)",
-		   name, SITE_FASTEST, q->speed, rpm, units_mm(diameter));
+		   name, SITE_FASTEST, q->speed, rpm, units_m_to_mm(diameter));
 }
 
 /* Parses the text of feed= or `set feed`. */
 static struct value
-parse_feed_value(const char *text)
+parse_feed_option_value(const char *text)
 {
 	struct value value = {.given = true};
 	struct error none = {0};
@@ -161,7 +162,7 @@ feed_option_or_setting(const struct session *s, const struct args *args)
 	struct value none = {.given = false};
 	return command_option_index(args->command, "feed") == OPTIONS
 		   ? none
-		   : parse_feed_value(
+		   : parse_feed_option_value(
 			 args->feed != NULL ? args->feed : s->set.feed);
 }
 
@@ -211,13 +212,13 @@ parse_sieves_option(
  * envelope, screens may be described without cut=, because its fraction is
  * meant. */
 static bool
-parse_fraction_options(const struct session *s, const struct args *args,
+parse_size_fraction_options(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
 	bool envelope = (args->command->flags & COMMAND_SPEC) != 0 ||
 			args->spec != NULL || s->spec != NULL;
 	if (command_option_index(args->command, "cut") == OPTIONS ||
-	    (args->cut != NULL && text_same_folded(args->cut, "off")))
+	    (args->cut != NULL && text_is_same_folded(args->cut, "off")))
 		return true;
 	return quantities_parse_cut_option(args, &q->fraction, envelope, error);
 }
@@ -225,19 +226,19 @@ parse_fraction_options(const struct session *s, const struct args *args,
 /* Applies the scenario, and reads the options that need no file: the speeds,
  * the feed's run, and the fraction. */
 static bool
-read_question_without_files(const struct session *s, const struct args *args,
-    struct question *q, struct error *error)
+parse_file_free_question_options(const struct session *s,
+    const struct args *args, struct question *q, struct error *error)
 {
 	struct value feed = feed_option_or_setting(s, args);
-	apply_scenario(s, q);
+	apply_question_scenario(s, q);
 	if (args_is_given(args, &args->speeds)) {
 		q->n_at = args->speeds.n;
 		q->at = args->speeds.at;
 	}
 	bool speed = feed.number > 0; /* at which the feed was sampled */
-	return (!speed || feed_find_run_at_speed(
+	return (!speed || feed_find_run_sampled_at_speed(
 			      q->entry->site, feed.number, &q->feed, error)) &&
-	       parse_fraction_options(s, args, q, error);
+	       parse_size_fraction_options(s, args, q, error);
 }
 
 bool
@@ -254,7 +255,7 @@ question_from_args(struct session *s, const struct entry *loaded,
 	return parse_speed_or_rpm(args, q, error) &&
 	       read_named_feeds(s, args, q, error) &&
 	       parse_sieves_option(args, q, error) &&
-	       read_question_without_files(s, args, q, error);
+	       parse_file_free_question_options(s, args, q, error);
 }
 
 bool
@@ -267,7 +268,7 @@ question_repeat_for_site(struct session *s, const struct entry *loaded,
 	q->speed_given = like->speed_given;
 	q->speed =
 	    like->speed_given ? like->speed : answers_default_speed(loaded);
-	return read_question_without_files(s, args, q, error);
+	return parse_file_free_question_options(s, args, q, error);
 }
 
 bool
@@ -276,10 +277,10 @@ question_read_and_answer(struct session *s, const struct args *args,
 {
 	struct question q = {.entry = NULL};
 	bool known = (args->command->flags & COMMAND_NEEDS_PARAMS) != 0;
-	bool ok =
-	    (!known || answers_require_params_of_current(s, error)) &&
-	    question_from_args(s, session_current_entry(s), args, &q, error) &&
-	    answer(s, args, &q, error);
+	bool ok = (!known || answers_require_params_current_site(s, error)) &&
+		  question_from_args(
+		      s, session_current_site_entry(s), args, &q, error) &&
+		  answer(s, args, &q, error);
 	if (ok && q.speed_given) {
 		s->last_asked.speed = q.speed;
 		s->last_asked.found_by = NULL;
@@ -298,7 +299,7 @@ struct site_with_feed {
 };
 
 void
-question_free_cached(struct session *s)
+question_free_cached_site(struct session *s)
 {
 	struct site_with_feed *a = s->site_with_feed;
 	if (a == NULL)
@@ -315,7 +316,7 @@ static const struct blended *
 read_feed_set_by_user(struct session *s)
 {
 	struct error none = {0};
-	struct value value = parse_feed_value(s->set.feed);
+	struct value value = parse_feed_option_value(s->set.feed);
 	return s->set.feed[0] != '\0' && value_is_file(SHARED_FEED, &value)
 		   ? blended_read_feed_setting(s, s->set.feed, &none)
 		   : NULL;
@@ -325,7 +326,7 @@ const struct entry *
 question_site_with_feed_setting(struct session *s)
 {
 	const struct entry *loaded =
-	    s->n_entry > 0 ? session_current_entry(s) : NULL;
+	    s->n_entry > 0 ? session_current_site_entry(s) : NULL;
 	const struct blended *feed =
 	    loaded != NULL ? read_feed_set_by_user(s) : NULL;
 	struct site_with_feed *a = s->site_with_feed;
@@ -333,14 +334,14 @@ question_site_with_feed_setting(struct session *s)
 		return loaded;
 	if (a == NULL || strcmp(a->text, feed->text) != 0 ||
 	    a->of.history != loaded->history ||
-	    !entries_are_equal(&a->of, loaded)) {
+	    !session_entries_are_equal(&a->of, loaded)) {
 		const struct scenario scenario = {
 		    .feed = feed, .correction = s->set.correction};
-		question_free_cached(s);
+		question_free_cached_site(s);
 		s->site_with_feed = a = xcalloc(1, sizeof *a);
 		a->of = entry_copy(loaded);
 		a->text = xstrdup(feed->text);
-		question_from_scenario(s, &a->of, &scenario, &a->q);
+		question_set_from_scenario(s, &a->of, &scenario, &a->q);
 	}
 	struct question *q = &a->q;
 	q->scenario.own = loaded;
@@ -447,13 +448,13 @@ question_add_measured_speeds_to_range(struct question *q)
 }
 
 double
-question_last_speed(struct session *s, double usual)
+question_last_speed_or_usual(struct session *s, double usual)
 {
 	double last = s->last_asked.speed;
 	if (!(last > 0))
 		return usual;
 	char number[32];
-	invocation_journal_options(
+	invocation_add_journal_options(
 	    s, " speed=%s", text_shortest_exact_number(last, number));
 	return last;
 }
@@ -462,15 +463,15 @@ void
 question_use_last_speed(struct session *s, struct question *q)
 {
 	if (!q->speed_given)
-		q->speed = question_last_speed(s, q->speed);
+		q->speed = question_last_speed_or_usual(s, q->speed);
 }
 
 void
 question_use_last_speed_and_feed(
     const struct session *s, const struct args *args, struct question *q)
 {
-	double last = session_answer_number(s, "predict", "speed");
-	double fed = session_answer_number(s, "predict", "feed_mps");
+	double last = session_number_in_last_answer(s, "predict", "speed");
+	double fed = session_number_in_last_answer(s, "predict", "feed_mps");
 	const struct site *site = q->entry->site;
 	if (q->speed_given || (isnan(last) && !(s->last_asked.speed > 0)))
 		return;

@@ -26,14 +26,15 @@ bool question_read_and_answer(struct session *s, const struct args *args,
 
 /* Makes the question about a loaded site with the changes of the scenario and,
  * unless they include a feed, with the mean of the site's feeds. */
-void question_from_scenario(const struct session *s, const struct entry *loaded,
-    const struct scenario *scenario, struct question *q);
+void question_set_from_scenario(const struct session *s,
+    const struct entry *loaded, const struct scenario *scenario,
+    struct question *q);
 
 /* Returns the current site as a question without options sees it: with the feed
  * in `set feed`, if that can be read.  NULL if no site is loaded.  Valid until
- * the session changes.  question_free_cached frees it. */
+ * the session changes.  question_free_cached_site frees it. */
 const struct entry *question_site_with_feed_setting(struct session *s);
-void question_free_cached(struct session *s);
+void question_free_cached_site(struct session *s);
 
 /* If the call names no speeds, sets the question to the usual ones, 65 to 85
  * m/s, extended or moved to cover the runs: steps of 1 m/s and the speed last
@@ -47,9 +48,10 @@ void question_add_measured_speeds_to_range(struct question *q);
 
 /* Returns the speed last asked about, by a command or on the screen, or `usual`
  * if there is none.  It is saved with the call. */
-double question_last_speed(struct session *s, double usual);
+double question_last_speed_or_usual(struct session *s, double usual);
 
-/* If the call names no speed, sets the question to question_last_speed. */
+/* If the call names no speed, sets the question to
+ * question_last_speed_or_usual. */
 void question_use_last_speed(struct session *s, struct question *q);
 
 /* As question_use_last_speed, without saving the speed; also sets the feed of

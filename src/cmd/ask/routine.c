@@ -1,5 +1,5 @@
 /* Sorts the cuts by date, computes the residuals at the sieves that crushing
- * can change, and charts them (drift_run_charts).
+ * can change, and charts them (drift_compute_charts).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/routine.h"
 
@@ -42,11 +42,12 @@ set_date_of_cut(struct routine_cut *c, const struct site_note *note,
  * routine cut only if a note says so and it was held out; *seen is then true,
  * because the training runs alone must predict it. */
 static bool
-is_routine_cut(const struct entry *entry, size_t run, bool *seen)
+is_routine_belt_cut(const struct entry *entry, size_t run, bool *seen)
 {
 	const struct site *site = entry->site;
-	const struct history *h =
-	    origin_source_fit(entry) != NULL ? entry->origin->history : NULL;
+	const struct history *h = origin_fit_behind_params(entry) != NULL
+				      ? entry->origin->history
+				      : NULL;
 	bool noted = cut_find_note(site, run) != NULL, trained = false;
 	*seen = false;
 	if (misfit_count_covered_sieves(&site->run[run]) == 0)
@@ -92,14 +93,14 @@ sort_cuts_by_date(struct routine *r, const struct site *site)
 }
 
 static void
-find_routine_cuts(struct routine *r, const struct entry *entry)
+find_routine_belt_cuts(struct routine *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	enum datetime_order order = cut_day_month_order(site);
 	r->cut = xcalloc(site->n_run + 1, sizeof *r->cut);
 	for (size_t i = 0; i < site->n_run; i++) {
 		bool seen;
-		if (!is_routine_cut(entry, i, &seen))
+		if (!is_routine_belt_cut(entry, i, &seen))
 			continue;
 		struct routine_cut *c = &r->cut[r->n++];
 		r->training_only = r->training_only || seen;
@@ -128,7 +129,7 @@ set_sieves_of_cut(struct routine_cut *c, const struct run *run)
 }
 
 static void
-predict_cut_by_draws(
+predict_cut_by_posterior(
     struct routine_cut *c, const struct psd *feed, const struct posterior *p)
 {
 	size_t n = c->n * POSTERIOR_DRAWS;
@@ -147,8 +148,8 @@ predict_cut_by_model_alone(struct routine_cut *c, const struct psd *feed,
     const struct params *params, struct model_settings settings, double noise)
 {
 	struct model *model = model_new(feed, c->size, c->n, settings);
-	model_use_params(model, params);
-	model_product(model, c->speed, c->predicted);
+	model_set_params(model, params);
+	model_compute_product(model, c->speed, c->predicted);
 	model_free(model);
 	drift_covariance_of_known_error(noise, c->predicted, c->n, c->error);
 }
@@ -160,7 +161,7 @@ measured_minus_predicted(const struct routine_cut *c, size_t i)
 }
 
 static void
-run_control_charts(struct routine *r)
+compute_control_chart_points(struct routine *r)
 {
 	FREED struct drift_cut *cut = xcalloc(r->n, sizeof *cut);
 	FREED double **residuals = xcalloc(r->n, sizeof(*residuals));
@@ -176,7 +177,8 @@ run_control_charts(struct routine *r)
 		cut[j] = (struct drift_cut){c->n, c->size, off,
 		    c->truth != NULL ? POSTERIOR_DRAWS : 0, c->truth, c->error};
 	}
-	r->first = drift_run_charts(cut, r->n, &r->rule, r->point, &r->since);
+	r->first =
+	    drift_compute_charts(cut, r->n, &r->rule, r->point, &r->since);
 	for (size_t j = 0; j < r->n; j++)
 		free(residuals[j]);
 }
@@ -184,7 +186,7 @@ run_control_charts(struct routine *r)
 /* Counts how many of the last cuts in a row are on the same side of the
  * prediction. */
 static void
-count_cuts_on_one_side(struct routine *r)
+count_last_cuts_on_one_side(struct routine *r)
 {
 	bool above = r->point[r->n - 1].chart[DRIFT_LEVEL].value > 0;
 	while (r->running < r->n) {
@@ -220,7 +222,7 @@ find_sieve_of_largest_shift(struct routine *r)
 }
 
 static struct routine *
-error_cuts_not_charted(
+set_error_why_no_charts(
     struct routine *r, const struct entry *entry, struct error *error)
 {
 	if (r->n == 0)
@@ -248,26 +250,26 @@ control_charts_compute(const struct session *s, const struct entry *entry,
 {
 	struct routine *r = xcalloc(1, sizeof *r);
 	r->rule = *rule;
-	find_routine_cuts(r, entry);
+	find_routine_belt_cuts(r, entry);
 	if (r->n == 0)
-		return error_cuts_not_charted(r, entry, error);
+		return set_error_why_no_charts(r, entry, error);
 	const struct posterior *p =
 	    posterior_for_unseen_cuts(s, entry, r->training_only);
 	r->drawn = p != NULL;
 	if (!r->drawn && !(s->set.noise > 0))
-		return error_cuts_not_charted(r, entry, error);
+		return set_error_why_no_charts(r, entry, error);
 	for (size_t j = 0; j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
 		const struct run *run = &entry->site->run[c->run];
 		set_sieves_of_cut(c, run);
 		if (r->drawn)
-			predict_cut_by_draws(c, &run->feed, p);
+			predict_cut_by_posterior(c, &run->feed, p);
 		else
 			predict_cut_by_model_alone(c, &run->feed,
 			    &entry->params, s->set.model, s->set.noise / 100);
 	}
-	run_control_charts(r);
-	count_cuts_on_one_side(r);
+	compute_control_chart_points(r);
+	count_last_cuts_on_one_side(r);
 	find_sieve_of_largest_shift(r);
 	return r;
 }
@@ -330,7 +332,7 @@ drift_in_words(const struct routine *r)
 					"by no more than samples do"));
 	FREED char *most =
 	    xasprintf(tr("most at %g mm (%+.1f points on average)"),
-		units_mm(r->worst), -100 * r->by);
+		units_m_to_mm(r->worst), -100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
 	FREED char *count = times_in_a_row_text(r->running);
 	return tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),

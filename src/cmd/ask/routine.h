@@ -32,8 +32,9 @@ struct routine {
 	/* drawn: the limits are from a calibration's posterior, otherwise from
 	 * `set noise`. */
 	bool dated, drawn, training_only;
-	/* first, since: see drift_run_charts.  running: how many of the latest
-	 * cuts in a row have a mean on the same side of the prediction. */
+	/* first, since: see drift_compute_charts.  running: how many of the
+	 * latest cuts in a row have a mean on the same side of the prediction.
+	 */
 	size_t first, since, running;
 	/* worst: the sieve, m, at which these differ most from the prediction.
 	 * by: their mean difference there, passing. */

@@ -14,7 +14,7 @@
 /* Returns false with an error if all of the feed passes the finer of two ideal
  * screens: crushing makes nothing coarser, so the fraction is empty. */
 static bool
-check_feed_exceeds_fraction(const struct fraction *fraction,
+check_feed_coarse_enough_for_fraction(const struct fraction *fraction,
     const struct psd *feed, struct error *error)
 {
 	double edge = fraction->fine * fraction->partition.cut_size;
@@ -24,8 +24,8 @@ check_feed_exceeds_fraction(const struct fraction *fraction,
 	return error_set(error, ERROR_USAGE,
 	    "no product in %g/%g: all of the feed passes %g mm\n"
 	    "use a fraction whose finer screen is below that",
-	    units_mm(fraction->fine), units_mm(fraction->coarse),
-	    units_mm(edge));
+	    units_m_to_mm(fraction->fine), units_m_to_mm(fraction->coarse),
+	    units_m_to_mm(edge));
 }
 
 bool
@@ -35,12 +35,12 @@ screened_check_feed_covers(const struct question *q, struct error *error)
 	struct quantity share = {
 	    .kind = QUANTITY_SHARE, .fraction = q->fraction};
 	return quantities_check_feed_covers(&share, feed, error) &&
-	       check_feed_exceeds_fraction(&q->fraction, feed, error);
+	       check_feed_coarse_enough_for_fraction(&q->fraction, feed, error);
 }
 
 /* Returns the fraction, and its share of the product in *share. */
 static struct psd
-screen_measured_product(
+fraction_and_share_of_product(
     const struct psd *product, const struct fraction *fraction, double *share)
 {
 	*share = 1;
@@ -56,8 +56,8 @@ screen_measured_product(
 		whole.passing[i] = psd_passing(product, whole.size[i]);
 	struct psd part = psd_copy(&whole);
 	FREED double *kept = xcalloc_doubles(whole.n);
-	fraction_kept_of_classes(fraction, whole.size, whole.n, kept);
-	*share = screening_part_of_product(&whole, kept, &part);
+	fraction_share_of_each_class(fraction, whole.size, whole.n, kept);
+	*share = screening_compute_kept_part(&whole, kept, &part);
 	psd_free(&whole);
 	return part;
 }
@@ -67,7 +67,7 @@ screened_fraction_of_product(
     const struct psd *product, const struct fraction *fraction)
 {
 	double share;
-	return screen_measured_product(product, fraction, &share);
+	return fraction_and_share_of_product(product, fraction, &share);
 }
 
 double *
@@ -91,14 +91,14 @@ screened_quantity_of_product(
 		if (!psd_covers_size(product, point[i]))
 			return NAN;
 	struct psd part =
-	    screen_measured_product(product, &q->fraction, &share);
+	    fraction_and_share_of_product(product, &q->fraction, &share);
 	double value = quantity_read_off_curve(q, &part, share);
 	psd_free(&part);
 	return value;
 }
 
 char *
-screened_title_suffix(const struct fraction *fraction)
+screened_fraction_title_suffix(const struct fraction *fraction)
 {
 	if (!fraction_is_screened(fraction))
 		return xstrdup("");
@@ -113,8 +113,9 @@ screened_note_share(struct answer *r, const struct prediction *p)
 	if (!fraction_is_screened(&p->fraction))
 		return;
 	FREED char *words = quantities_fraction_text(&p->fraction);
-	FREED char *range = quantities_band_text(
-	    units_pct(p->share_range[0]), units_pct(p->share_range[1]), 1);
+	FREED char *range =
+	    quantities_band_text(units_fraction_to_pct(p->share_range[0]),
+		units_fraction_to_pct(p->share_range[1]), 1);
 	FREED char *how =
 	    screen->sharpness > 0
 		? xasprintf(tr("screens of sharpness %g, cut size %g %% "
@@ -126,11 +127,11 @@ screened_note_share(struct answer *r, const struct prediction *p)
 		      100 * screen->cut_size)
 		: xstrdup(tr("ideal screens"));
 	answer_note(r, "%s is %.1f %%%s of the product; %s", words,
-	    units_pct(p->share), range, how);
+	    units_fraction_to_pct(p->share), range, how);
 }
 
 void
-screened_put_fields(struct fields *o, const struct prediction *p)
+screened_put_fraction_fields(struct fields *o, const struct prediction *p)
 {
 	if (!fraction_is_screened(&p->fraction))
 		return;
@@ -138,8 +139,9 @@ screened_put_fields(struct fields *o, const struct prediction *p)
 	fields_put_values(o,
 	    "fraction %s share_pct %g share_low_pct %g share_high_pct %g "
 	    "sharpness %g cut_size_pct %g",
-	    words, units_pct(p->share), units_pct(p->share_range[0]),
-	    units_pct(p->share_range[1]),
+	    words, units_fraction_to_pct(p->share),
+	    units_fraction_to_pct(p->share_range[0]),
+	    units_fraction_to_pct(p->share_range[1]),
 	    p->fraction.partition.sharpness > 0
 		? p->fraction.partition.sharpness
 		: NAN,

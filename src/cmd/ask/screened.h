@@ -26,12 +26,12 @@ double screened_quantity_of_product(
 
 /* Returns ", fraction 0/4", or "" for the whole product.  The caller frees
  * it. */
-char *screened_title_suffix(const struct fraction *fraction);
+char *screened_fraction_title_suffix(const struct fraction *fraction);
 
 /* screened_note_share adds a sentence that says how much of the product the
- * fraction is; screened_put_fields puts the fields "fraction" and "share_pct".
- * Neither does anything for the whole product. */
+ * fraction is; screened_put_fraction_fields puts the fields "fraction" and
+ * "share_pct". Neither does anything for the whole product. */
 void screened_note_share(struct answer *r, const struct prediction *p);
-void screened_put_fields(struct fields *o, const struct prediction *p);
+void screened_put_fraction_fields(struct fields *o, const struct prediction *p);
 
 #endif

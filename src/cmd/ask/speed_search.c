@@ -54,9 +54,9 @@ conditions_free(struct condition_list *list)
 }
 
 struct conditions_search
-wanted_from_question(const struct session *s, const struct question *q,
-    size_t n, const struct condition *at, size_t n_more,
-    const struct quantity *more)
+conditions_search_from_question(const struct session *s,
+    const struct question *q, size_t n, const struct condition *at,
+    size_t n_more, const struct quantity *more)
 {
 	FREED struct quantity *asked = xcalloc(n + n_more, sizeof *asked);
 	for (size_t i = 0; i < n; i++)
@@ -71,8 +71,8 @@ wanted_from_question(const struct session *s, const struct question *q,
 	    .at = at,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
 	settings_default_speed_range(&s->set, q->entry->site, &w.from, &w.to);
-	bool known =
-	    origin_known_speed_range(q->entry, &w.measured[0], &w.measured[1]);
+	bool known = origin_training_speed_range(
+	    q->entry, &w.measured[0], &w.measured[1]);
 	if (!known)
 		w.measured[0] = w.measured[1] =
 		    site_middle_speed(q->entry->site);
@@ -106,7 +106,7 @@ lesser_margin(struct margin least, struct margin m)
 /* Returns the distance left to a limit, for a value that is above it by `over`.
  * tight: no value lies beyond the limit. */
 static double
-room_to_limit(double over, bool most, bool tight)
+distance_to_limit(double over, bool most, bool tight)
 {
 	if (isnan(over))
 		return -INFINITY;
@@ -118,7 +118,7 @@ room_to_limit(double over, bool most, bool tight)
  * there is none, or none that a value can exceed.  *tight: no value lies beyond
  * it. */
 static struct margin
-margin_in_answer(
+margin_without_band(
     const struct conditions_search *w, struct wanted_limit of, bool *tight)
 {
 	const struct condition *c = &w->at[of.i];
@@ -127,28 +127,29 @@ margin_in_answer(
 	if (isnan(limit) || (share && of.most && limit >= 1))
 		return NO_LIMIT;
 	*tight = share && (of.most ? limit <= EXACT : limit >= 1 - EXACT);
-	double room =
-	    room_to_limit(forecast_excess_over_limit(w->forecast, of.i, limit),
-		of.most, *tight);
+	double room = distance_to_limit(
+	    forecast_excess_over_limit(w->forecast, of.i, limit), of.most,
+	    *tight);
 	return (struct margin){room, NAN, of};
 }
 
-/* As margin_in_answer, with widths of the band.  Sets held [DRAWS] to false for
- * each draw in which the limit does not hold. */
+/* As margin_without_band, with widths of the band.  Sets held [DRAWS] to false
+ * for each draw in which the limit does not hold. */
 static struct margin
-margin_in_draws(
+margin_with_band_widths(
     const struct conditions_search *w, struct wanted_limit of, bool *held)
 {
 	double over[DRAWS], low, high;
 	bool tight;
 	const struct condition *c = &w->at[of.i];
-	struct margin m = margin_in_answer(w, of, &tight);
-	if (m.limit.i == SIZE_MAX || forecast_draws(w->forecast, of.i) == NULL)
+	struct margin m = margin_without_band(w, of, &tight);
+	if (m.limit.i == SIZE_MAX ||
+	    forecast_draws_of_quantity(w->forecast, of.i) == NULL)
 		return m;
-	forecast_excess_of_draws(
+	forecast_excess_in_each_draw(
 	    w->forecast, of.i, of.most ? c->most : c->least, over);
 	for (size_t d = 0; d < DRAWS; d++) {
-		over[d] = room_to_limit(over[d], of.most, tight);
+		over[d] = distance_to_limit(over[d], of.most, tight);
 		held[d] = held[d] && over[d] >= -EXACT;
 	}
 	ensemble_middle_interval(over, w->level, &low, &high);
@@ -162,7 +163,7 @@ margin_in_draws(
  * if i is SIZE_MAX; NAN for a model alone.  Sets margin [w->n + 1] to the
  * margins of these conditions and, last, the smallest of them. */
 static double
-evaluate_conditions(
+compute_margins_and_certainty(
     const struct conditions_search *w, size_t i, struct margin *margin)
 {
 	bool held[DRAWS];
@@ -173,13 +174,14 @@ evaluate_conditions(
 		if (i != SIZE_MAX && i != k)
 			continue;
 		struct wanted_limit low = {k, false}, high = {k, true};
-		margin[k] = lesser_margin(margin_in_draws(w, low, held),
-		    margin_in_draws(w, high, held));
+		margin[k] = lesser_margin(margin_with_band_widths(w, low, held),
+		    margin_with_band_widths(w, high, held));
 		margin[w->n] = lesser_margin(margin[w->n], margin[k]);
 	}
 	for (size_t d = 0; d < DRAWS; d++)
 		n += held[d];
-	bool drawn = w->n > 0 && forecast_draws(w->forecast, 0) != NULL;
+	bool drawn =
+	    w->n > 0 && forecast_draws_of_quantity(w->forecast, 0) != NULL;
 	return drawn ? (double)n / DRAWS : NAN;
 }
 
@@ -187,7 +189,7 @@ struct margin
 condition_margin(const struct conditions_search *w, size_t i)
 {
 	FREED struct margin *margin = xcalloc(w->n + 1, sizeof *margin);
-	evaluate_conditions(w, i, margin);
+	compute_margins_and_certainty(w, i, margin);
 	return margin[w->n];
 }
 
@@ -195,7 +197,7 @@ double
 conditions_probability(const struct conditions_search *w)
 {
 	FREED struct margin *margin = xcalloc(w->n + 1, sizeof *margin);
-	return evaluate_conditions(w, SIZE_MAX, margin);
+	return compute_margins_and_certainty(w, SIZE_MAX, margin);
 }
 
 /* Needs no draws, and therefore computes none. */
@@ -206,8 +208,9 @@ conditions_are_met(const struct conditions_search *w, size_t i)
 	for (size_t k = 0; k < 2 * w->n; k++) {
 		struct wanted_limit of = {k / 2, k % 2 == 1};
 		if (i == SIZE_MAX || i == of.i)
-			met = met &&
-			      margin_in_answer(w, of, &tight).passing >= -EXACT;
+			met =
+			    met && margin_without_band(w, of, &tight).passing >=
+				       -EXACT;
 	}
 	return met;
 }
@@ -276,7 +279,7 @@ speed_search_free(struct speed_search *s)
 
 /* Keeps what step k shows of the target. */
 static void
-keep_target_at_step(
+record_target_at_search_step(
     struct speed_search *s, const struct conditions_search *w, size_t k)
 {
 	double value = w->target->least;
@@ -284,11 +287,12 @@ keep_target_at_step(
 	if (isnan(value))
 		return;
 	s->over[k] = forecast_excess_over_limit(w->forecast, w->n, value);
-	if (forecast_draws(w->forecast, w->n) == NULL)
+	if (forecast_draws_of_quantity(w->forecast, w->n) == NULL)
 		return;
-	forecast_excess_of_draws(w->forecast, w->n, value, s->draw[k]);
-	forecast_set_speed_and_draws(w->forecast, s->speed[k], ENSEMBLE_SAMPLE);
-	forecast_excess_of_draws(w->forecast, w->n, value, s->sample[k]);
+	forecast_excess_in_each_draw(w->forecast, w->n, value, s->draw[k]);
+	forecast_set_speed_and_ensemble(
+	    w->forecast, s->speed[k], ENSEMBLE_SAMPLE);
+	forecast_excess_in_each_draw(w->forecast, w->n, value, s->sample[k]);
 }
 
 /* ---- what is read off the margins */
@@ -310,7 +314,7 @@ least_margin_at_step(const struct speed_search *s, size_t k)
 /* Returns the limit with the smallest margin at step k, or NONE if k is beyond
  * the ends. */
 static struct wanted_limit
-nearest_limit_at_step(const struct speed_search *s, size_t k)
+tightest_limit_at_speed_step(const struct speed_search *s, size_t k)
 {
 	return k < s->n ? least_margin_at_step(s, k)->limit : NONE;
 }
@@ -318,7 +322,7 @@ nearest_limit_at_step(const struct speed_search *s, size_t k)
 /* Returns whether condition i holds at each step [n]; for i = n_condition,
  * whether all hold.  The caller frees it. */
 static bool *
-mark_steps_that_meet(const struct speed_search *s, size_t i)
+mark_steps_meeting_condition(const struct speed_search *s, size_t i)
 {
 	bool *met = xcalloc(s->n, sizeof *met);
 	for (size_t k = 0; k < s->n; k++)
@@ -329,7 +333,8 @@ mark_steps_that_meet(const struct speed_search *s, size_t i)
 /* Finds the first and the last of the marked steps around step k, without a
  * gap. */
 static void
-find_marked_span(const bool *mark, size_t n, size_t k, size_t end[static 2])
+find_marked_steps_around(
+    const bool *mark, size_t n, size_t k, size_t end[static 2])
 {
 	end[0] = end[1] = k;
 	while (end[0] > 0 && mark[end[0] - 1])
@@ -340,19 +345,20 @@ find_marked_span(const bool *mark, size_t n, size_t k, size_t end[static 2])
 
 /* below, above: the steps just outside the interval. */
 static void
-add_speed_interval(
+add_allowed_speed_interval(
     struct speed_search *s, double from, double to, size_t below, size_t above)
 {
 	s->inside = xrealloc(s->inside, s->n_inside + 1, sizeof *s->inside);
 	s->inside[s->n_inside++] = (struct speed_range){from, to,
-	    nearest_limit_at_step(s, below), nearest_limit_at_step(s, above)};
+	    tightest_limit_at_speed_step(s, below),
+	    tightest_limit_at_speed_step(s, above)};
 }
 
 /* For a speed between steps k and k + 1, where not all conditions hold: returns
  * 0 if they all hold at it, -1 if it is too slow, because it misses a limit
  * that step k misses too, and 1 if it is too fast. */
 static int
-side_of_speed_interval(const struct speed_search *s,
+compare_speed_with_window(const struct speed_search *s,
     const struct conditions_search *w, size_t k, double v)
 {
 	forecast_set_speed(w->forecast, v);
@@ -369,7 +375,7 @@ side_of_speed_interval(const struct speed_search *s,
 
 /* True if steps k and k + 1 miss different limits. */
 static bool
-may_conditions_hold_between(const struct speed_search *s, size_t k)
+may_conditions_hold_between_steps(const struct speed_search *s, size_t k)
 {
 	for (size_t i = 0; i < s->n_condition; i++) {
 		const struct margin *a = margin_at_step(s, k, i),
@@ -384,19 +390,20 @@ may_conditions_hold_between(const struct speed_search *s, size_t k)
 /* Returns the end of an interval: the speed nearest to `bad` at which all
  * conditions hold, as they do at `good`. */
 static double
-bisect_interval_end(const struct speed_search *s,
+bisect_speed_interval_end(const struct speed_search *s,
     const struct conditions_search *w, size_t k, double good, double bad)
 {
 	const double close = 1e-4;
 	while (fabs(bad - good) > close) {
 		double v = (good + bad) / 2;
-		*(side_of_speed_interval(s, w, k, v) == 0 ? &good : &bad) = v;
+		*(compare_speed_with_window(s, w, k, v) == 0 ? &good : &bad) =
+		    v;
 	}
 	return good;
 }
 
 static void
-find_interval_between_steps(
+find_speeds_in_limits_between_steps(
     struct speed_search *s, const struct conditions_search *w, size_t k)
 {
 	const double close = 1e-6;
@@ -404,21 +411,22 @@ find_interval_between_steps(
 	int way = 1;
 	while (way != 0 && b - a > close) {
 		double v = (a + b) / 2;
-		way = side_of_speed_interval(s, w, k, v);
+		way = compare_speed_with_window(s, w, k, v);
 		if (way <= 0)
 			a = v;
 		if (way >= 0)
 			b = v;
 	}
 	if (way == 0)
-		add_speed_interval(s,
-		    bisect_interval_end(s, w, k, a, s->speed[k]),
-		    bisect_interval_end(s, w, k, b, s->speed[k + 1]), k, k + 1);
+		add_allowed_speed_interval(s,
+		    bisect_speed_interval_end(s, w, k, a, s->speed[k]),
+		    bisect_speed_interval_end(s, w, k, b, s->speed[k + 1]), k,
+		    k + 1);
 }
 
 /* met [n]: whether all conditions hold at each step. */
 static void
-find_speed_intervals(
+find_ranges_meeting_conditions(
     struct speed_search *s, const struct conditions_search *w, const bool *met)
 {
 	size_t run[2];
@@ -426,13 +434,13 @@ find_speed_intervals(
 		if (met[k]) {
 			/* For k = 0, k - 1 wraps round to a step beyond the
 			 * last, which has no limit. */
-			find_marked_span(met, s->n, k, run);
-			add_speed_interval(s, s->speed[k], s->speed[run[1]],
-			    k - 1, run[1] + 1);
+			find_marked_steps_around(met, s->n, k, run);
+			add_allowed_speed_interval(s, s->speed[k],
+			    s->speed[run[1]], k - 1, run[1] + 1);
 			k = run[1];
 		} else if (k + 1 < s->n && !met[k + 1] &&
-			   may_conditions_hold_between(s, k)) {
-			find_interval_between_steps(s, w, k);
+			   may_conditions_hold_between_steps(s, k)) {
+			find_speeds_in_limits_between_steps(s, w, k);
 		}
 	}
 }
@@ -455,7 +463,7 @@ is_within_measured_speeds(const struct conditions_search *w, double v)
  * and of these, those about as certain as the most certain.  The caller frees
  * it. */
 static bool *
-mark_eligible_steps(const struct speed_search *s,
+mark_speeds_eligible_as_best(const struct speed_search *s,
     const struct conditions_search *w, const bool *met)
 {
 	bool *may = xcalloc(s->n, sizeof *may), measured = false;
@@ -478,15 +486,15 @@ mark_eligible_steps(const struct speed_search *s,
 /* Returns the step with the largest margin, or of several the one nearest to
  * the middle; SIZE_MAX if the conditions hold only between two steps. */
 static size_t
-find_best_step(const struct speed_search *s, const struct conditions_search *w,
-    const bool *met)
+find_best_speed_step(const struct speed_search *s,
+    const struct conditions_search *w, const bool *met)
 {
 	bool reaches = w->measured[0] < w->measured[1];
 	double middle = reaches ? (w->measured[0] + w->measured[1]) / 2
 				: (w->from + w->to) / 2;
 	double largest = -INFINITY, off = INFINITY;
 	size_t best = SIZE_MAX;
-	FREED bool *may = mark_eligible_steps(s, w, met);
+	FREED bool *may = mark_speeds_eligible_as_best(s, w, met);
 	for (size_t k = 0; k < s->n; k++) {
 		double rank = margin_rank(*least_margin_at_step(s, k));
 		double from_middle = fabs(s->speed[k] - middle);
@@ -501,10 +509,10 @@ find_best_step(const struct speed_search *s, const struct conditions_search *w,
 }
 
 static void
-find_best_speed(
+find_best_allowed_speed(
     struct speed_search *s, const struct conditions_search *w, const bool *met)
 {
-	size_t k = find_best_step(s, w, met);
+	size_t k = find_best_speed_step(s, w, met);
 	if (k == SIZE_MAX) {
 		s->best = (s->inside[0].from + s->inside[0].to) / 2;
 		forecast_set_speed(w->forecast, s->best);
@@ -514,8 +522,8 @@ find_best_speed(
 		s->best = s->speed[k];
 		s->margin = *least_margin_at_step(s, k);
 		s->best_certain = s->certain[k];
-		s->low = nearest_limit_at_step(s, k - 1);
-		s->high = nearest_limit_at_step(s, k + 1);
+		s->low = tightest_limit_at_speed_step(s, k - 1);
+		s->high = tightest_limit_at_speed_step(s, k + 1);
 	}
 	const struct speed_range *in = speed_search_best_range(s);
 	if (in != NULL) {
@@ -526,7 +534,7 @@ find_best_speed(
 
 /* True if every speed misses the conditions by as much as the best. */
 static bool
-are_all_speeds_alike(const struct speed_search *s)
+is_goal_missed_alike_at_all_speeds(const struct speed_search *s)
 {
 	bool alike = s->margin.passing < 0 && isfinite(s->margin.passing);
 	for (size_t k = 0; k < s->n && alike; k++)
@@ -539,10 +547,10 @@ are_all_speeds_alike(const struct speed_search *s)
 /* Finds the interval in which condition i holds, whatever the others do, around
  * the best speed or nearest to it. */
 static void
-find_interval_of_condition(
+find_speed_range_of_condition(
     const struct speed_search *s, size_t i, double ends[static 2])
 {
-	FREED bool *met = mark_steps_that_meet(s, i);
+	FREED bool *met = mark_steps_meeting_condition(s, i);
 	size_t near = SIZE_MAX, run[2];
 	for (size_t k = 0; k < s->n; k++)
 		if (met[k] &&
@@ -552,7 +560,7 @@ find_interval_of_condition(
 	ends[0] = ends[1] = NAN;
 	if (near == SIZE_MAX)
 		return;
-	find_marked_span(met, s->n, near, run);
+	find_marked_steps_around(met, s->n, near, run);
 	if (run[0] > 0)
 		ends[0] = s->speed[run[0]];
 	if (run[1] + 1 < s->n)
@@ -560,7 +568,7 @@ find_interval_of_condition(
 }
 
 static void
-find_certain_interval(struct speed_search *s, double level)
+find_certain_speed_interval(struct speed_search *s, double level)
 {
 	FREED bool *sure = xcalloc(s->n, sizeof *sure);
 	size_t at = 0, run[2];
@@ -574,7 +582,7 @@ find_certain_interval(struct speed_search *s, double level)
 			at = k;
 	if (!sure[at])
 		return;
-	find_marked_span(sure, s->n, at, run);
+	find_marked_steps_around(sure, s->n, at, run);
 	s->sure[0] = s->speed[run[0]];
 	s->sure[1] = s->speed[run[1]];
 }
@@ -599,7 +607,7 @@ find_slowest_safe_speed(
  * it is fa at a and fb at b.  By secants, and by bisection where these gain
  * little; to 1e-9 m/s, so that predict at that speed shows the value. */
 static double
-target_speed_between(
+refine_target_speed_between(
     const struct conditions_search *w, double a, double fa, double b, double fb)
 {
 	const double close = 1e-9;
@@ -624,7 +632,7 @@ target_speed_between(
 }
 
 static void
-add_target_speed(
+add_speed_meeting_target(
     struct speed_search *s, const struct conditions_search *w, double v)
 {
 	forecast_set_speed(w->forecast, v);
@@ -639,11 +647,11 @@ find_target_speeds(struct speed_search *s, const struct conditions_search *w)
 	const double *f = s->over, *v = s->speed;
 	double least = INFINITY;
 	if (f[0] == 0)
-		add_target_speed(s, w, v[0]);
+		add_speed_meeting_target(s, w, v[0]);
 	for (size_t k = 1; k < s->n; k++)
 		if ((f[k - 1] >= 0) != (f[k] >= 0))
-			add_target_speed(s, w,
-			    target_speed_between(
+			add_speed_meeting_target(s, w,
+			    refine_target_speed_between(
 				w, v[k - 1], f[k - 1], v[k], f[k]));
 	for (size_t i = 0; i < s->n_root; i++) {
 		double at = s->root[i].speed;
@@ -657,8 +665,8 @@ find_target_speeds(struct speed_search *s, const struct conditions_search *w)
 /* Returns the speed nearest to v at which column d of the table f, times sign,
  * rises through 0; 0 or INFINITY if it does so below or above the search. */
 static double
-target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
-    double sign, double v)
+target_speed_of_posterior_draw(const struct speed_search *s, double (*f)[DRAWS],
+    size_t d, double sign, double v)
 {
 	double nearest = f[0][d] == 0 ? s->speed[0] : NAN;
 	for (size_t k = 1; k < s->n; k++) {
@@ -688,41 +696,44 @@ target_speed_interval(
 }
 
 static void
-find_target_speed_bands(
+compute_target_speed_bands(
     struct speed_search *s, const struct conditions_search *w)
 {
 	double about = isnan(s->found) ? (w->from + w->to) / 2 : s->found;
 	double speed[DRAWS], sample[DRAWS];
 	size_t k = 1;
-	if (forecast_draws(w->forecast, w->n) == NULL)
+	if (forecast_draws_of_quantity(w->forecast, w->n) == NULL)
 		return;
 	while (k + 1 < s->n && s->speed[k] < about)
 		k++;
 	double sign = s->over[k] < s->over[k - 1] ? -1 : 1;
 	for (size_t d = 0; d < DRAWS; d++) {
-		speed[d] = target_speed_of_draw(s, s->draw, d, sign, about);
-		sample[d] = target_speed_of_draw(s, s->sample, d, sign, about);
+		speed[d] =
+		    target_speed_of_posterior_draw(s, s->draw, d, sign, about);
+		sample[d] = target_speed_of_posterior_draw(
+		    s, s->sample, d, sign, about);
 	}
 	target_speed_interval(w, speed, s->range);
 	target_speed_interval(w, sample, s->cut);
 }
 
 static void
-finish_speed_search(struct speed_search *s, const struct conditions_search *w)
+derive_speed_search_results(
+    struct speed_search *s, const struct conditions_search *w)
 {
-	FREED bool *met = mark_steps_that_meet(s, w->n);
-	find_speed_intervals(s, w, met);
-	find_best_speed(s, w, met);
-	s->alike = are_all_speeds_alike(s);
-	find_certain_interval(s, w->level);
+	FREED bool *met = mark_steps_meeting_condition(s, w->n);
+	find_ranges_meeting_conditions(s, w, met);
+	find_best_allowed_speed(s, w, met);
+	s->alike = is_goal_missed_alike_at_all_speeds(s);
+	find_certain_speed_interval(s, w->level);
 	find_slowest_safe_speed(s, w, met);
 	s->alone = xcalloc(w->n + 1, sizeof *s->alone);
 	for (size_t i = 0; i < w->n; i++)
-		find_interval_of_condition(s, i, s->alone[i]);
+		find_speed_range_of_condition(s, i, s->alone[i]);
 	if (w->target == NULL || isnan(w->target->least))
 		return;
 	find_target_speeds(s, w);
-	find_target_speed_bands(s, w);
+	compute_target_speed_bands(s, w);
 }
 
 bool
@@ -732,13 +743,13 @@ speed_search_step(struct speed_search *s, const struct conditions_search *w)
 	if (k == s->n)
 		return true;
 	forecast_set_speed(w->forecast, s->speed[k]);
-	s->certain[k] =
-	    evaluate_conditions(w, SIZE_MAX, s->step_margin + k * (w->n + 1));
+	s->certain[k] = compute_margins_and_certainty(
+	    w, SIZE_MAX, s->step_margin + k * (w->n + 1));
 	if (w->target != NULL)
-		keep_target_at_step(s, w, k);
+		record_target_at_search_step(s, w, k);
 	if (++s->done < s->n)
 		return false;
-	finish_speed_search(s, w);
+	derive_speed_search_results(s, w);
 	return true;
 }
 
@@ -761,7 +772,7 @@ speed_search_best_range(const struct speed_search *s)
 }
 
 double
-speed_search_speed_of_extreme(
+speed_search_speed_of_max_or_min(
     const struct speed_search *s, bool most, bool sure)
 {
 	double best = NAN, speed = NAN;

@@ -50,9 +50,9 @@ struct conditions_search {
  * settings_default_speed_range, without a target.  The forecast also has the
  * quantities in more [n_more]. `at` must outlive it; free its `forecast` with
  * forecast_close. */
-struct conditions_search wanted_from_question(const struct session *s,
-    const struct question *q, size_t n, const struct condition *at,
-    size_t n_more, const struct quantity *more);
+struct conditions_search conditions_search_from_question(
+    const struct session *s, const struct question *q, size_t n,
+    const struct condition *at, size_t n_more, const struct quantity *more);
 
 /* One of the two limits of condition i; no limit if i is SIZE_MAX. */
 struct wanted_limit {
@@ -157,7 +157,7 @@ const struct speed_range *speed_search_best_range(const struct speed_search *s);
 /* Returns the tenth of a m/s at which the target's quantity is largest (most)
  * or smallest, of those at which all conditions hold or (sure) those in the
  * sure range; NAN if there is none. */
-double speed_search_speed_of_extreme(
+double speed_search_speed_of_max_or_min(
     const struct speed_search *s, bool most, bool sure);
 
 /* These do not move the forecast.  condition_margin returns the margin to the

@@ -38,11 +38,11 @@ mean_band_width(const struct prediction *p)
 
 /* Finds the parameter, of those on a bound, that moves the answer most. */
 static void
-find_bound_that_limits_answer(const struct session *s,
+find_param_on_bound_that_matters(const struct session *s,
     const struct entry *entry, const struct prediction *p,
     struct trust_question *q)
 {
-	const struct fit *fit = origin_source_fit(entry);
+	const struct fit *fit = origin_fit_behind_params(entry);
 	struct ensemble *e = ensemble_for_answers(s, entry, p->feed_run);
 	if (e == NULL)
 		return;
@@ -50,11 +50,12 @@ find_bound_that_limits_answer(const struct session *s,
 	for (size_t j = 0; j < breakage_model_of_params(&fit->params)->n; j++) {
 		const char *name =
 		    breakage_model_of_params(&fit->params)->parameter[j].name;
-		double moves = fit->on_bound[j]
-				   ? trust_change_per_parameter_sd(
-					 posterior_for_comparison(s, entry), e,
-					 ensemble_count_sieves(e), name)
-				   : 0;
+		double moves =
+		    fit->on_bound[j]
+			? trust_answer_change_per_param_sd(
+			      posterior_even_if_correction_off(s, entry), e,
+			      ensemble_count_sieves(e), name)
+			: 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;
 			q->bound_moves = moves;
@@ -65,14 +66,14 @@ find_bound_that_limits_answer(const struct session *s,
 /* Adds reasons about parameters that no calibration of this site in this
  * session found. */
 static void
-add_reasons_of_origin(
+add_trust_reasons_of_params_origin(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	bool same = o->found && o->digest == entry->site->digest;
 	double error = fit_largest_rmse_of_runs(
 	    entry, &entry->params, s->set.model, false);
-	if (same && origin_source_fit(entry) != NULL)
+	if (same && origin_fit_behind_params(entry) != NULL)
 		return;
 	if (same)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_ORIGIN,
@@ -80,19 +81,19 @@ add_reasons_of_origin(
 			tr("parameters %s, calibrated on the same data in "
 			   "another session: calibrate here to see how far "
 			   "the data determine them"),
-			origin_source_text(entry)));
+			origin_of_params_text(entry)));
 	else if (isnan(error))
 		trust_add_reason(t, LIGHT_RED, TRUST_ORIGIN,
 		    xasprintf(tr("parameters %s, and no measured product of "
 				 "this site to check them against"),
-			origin_source_text(entry)));
+			origin_of_params_text(entry)));
 	else
 		trust_add_reason(t, error > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_ORIGIN,
 		    xasprintf(tr("parameters %s, not calibrated on this site: "
 				 "they miss a measured product by %.1f points "
 				 "(RMSE)"),
-			origin_source_text(entry), 100 * error));
+			origin_of_params_text(entry), 100 * error));
 }
 
 /* A misfit above the lowest one by more than this share leaves other parameters
@@ -101,7 +102,7 @@ static const double FAR_ABOVE_LOWEST = 0.1;
 
 /* Adds reasons about how the calibration was made. */
 static void
-add_reasons_of_calibration(
+add_trust_reasons_of_calibration(
     struct trust *t, const struct session *s, const struct fit *fit)
 {
 	if (fit->stop == CALIBRATE_STOPPED)
@@ -131,7 +132,7 @@ add_reasons_of_calibration(
  * which one is missed most.  If they drift, the text does not advise a
  * calibration with them: the crusher should be looked at first. */
 static void
-add_reasons_of_later_cuts(
+add_trust_reasons_of_later_cuts(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
 	struct later later = cut_compare_runs_since_fit(s, entry);
@@ -158,14 +159,14 @@ add_reasons_of_later_cuts(
 /* Adds reasons about a feed or a machine with which nothing was measured.
  * evidence: about the fit, or NULL. */
 static void
-add_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
+add_trust_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
     const struct entry *entry, const struct evidence *evidence)
 {
 	const struct scenario *w = entry->scenario;
 	const char *rock = w->own->site->rock, *other = w->rock;
-	double measured = entry_rotor_of_params(w->own);
+	double measured = entry_rotor_of_calibration(w->own);
 	if (other[0] != '\0' && rock[0] != '\0' &&
-	    !text_same_folded(other, rock))
+	    !text_is_same_folded(other, rock))
 		trust_add_reason(t, LIGHT_RED, TRUST_FEED,
 		    xasprintf(
 			tr("the feed is %s and the site's rock is %s: no "
@@ -181,7 +182,7 @@ add_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
 			tr("the runs were measured with a rotor of %g mm: "
 			   "no measurement shows the effect of another "
 			   "rotor diameter (%g mm)"),
-			units_mm(measured), units_mm(w->rotor)));
+			units_m_to_mm(measured), units_m_to_mm(w->rotor)));
 	if (w->bypass > 0)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
@@ -198,10 +199,10 @@ add_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
 /* Returns evidence that only has the speeds, for parameters that no calibration
  * in this session found. */
 static struct evidence
-evidence_from_speeds_alone(const struct entry *entry)
+trust_evidence_from_speeds_only(const struct entry *entry)
 {
 	struct evidence e = {.speeds = 2, .cells = 100};
-	if (!origin_known_speed_range(entry, &e.slowest, &e.fastest)) {
+	if (!origin_training_speed_range(entry, &e.slowest, &e.fastest)) {
 		e.slowest = 0;
 		e.fastest = INFINITY;
 	}
@@ -217,14 +218,14 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 	struct trust_question q = {.speed = p != NULL ? p->speed : 0,
 	    .rotor = entry->site->run_rotor > 0 ? 0 : entry->site->rotor,
 	    .corrected = !off};
-	struct evidence reach = evidence_from_speeds_alone(entry);
+	struct evidence reach = trust_evidence_from_speeds_only(entry);
 	/* The site's own measurements are judged without the question's
 	 * changes. */
 	const struct entry *own = entry_without_scenario(entry);
 	if (later)
-		add_reasons_of_later_cuts(&t, s, own);
+		add_trust_reasons_of_later_cuts(&t, s, own);
 	if (entry->scenario != NULL)
-		add_reasons_of_feed_or_machine(&t, s, entry, e);
+		add_trust_reasons_of_feed_or_machine(&t, s, entry, e);
 	if (p != NULL)
 		q.width = mean_band_width(p);
 	if (p != NULL && e != NULL)
@@ -233,11 +234,12 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 	    entry->scenario->feed != NULL)
 		q.feed = difference_from_nearest_feed(s, entry, p->feed_run);
 	if (q.width > NARROW && e != NULL)
-		find_bound_that_limits_answer(s, entry, p, &q);
+		find_param_on_bound_that_matters(s, entry, p, &q);
 	if (!entry->has_fit)
-		add_reasons_of_origin(&t, s, own);
+		add_trust_reasons_of_params_origin(&t, s, own);
 	if (e != NULL && !e->like_feed)
-		add_reasons_of_calibration(&t, s, origin_source_fit(entry));
+		add_trust_reasons_of_calibration(
+		    &t, s, origin_fit_behind_params(entry));
 	char *energies = energies_trust_reason(s);
 	if (energies != NULL)
 		trust_add_reason(&t, LIGHT_AMBER, TRUST_MACHINE, energies);
@@ -257,11 +259,11 @@ trust_in_answer_or_fit(const struct session *s, const struct entry *entry,
 		return t;
 	}
 	return judge_trust_in_answer(
-	    s, entry, p, evidence_on_calibration(s, entry), true);
+	    s, entry, p, trust_evidence_of_calibration(s, entry), true);
 }
 
 void
-trust_keep_worse(struct trust *worst, struct trust t)
+trust_replace_if_worse(struct trust *worst, struct trust t)
 {
 	struct trust less = t.light > worst->light ? *worst : t;
 	double speed_sd = fmax(worst->speed_sd, t.speed_sd);
@@ -272,12 +274,12 @@ trust_keep_worse(struct trust *worst, struct trust t)
 }
 
 struct trust
-trust_worst_of_several(const struct session *s, const struct entry *entry,
+trust_worst_of_predictions(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	struct trust worst = trust_in_answer_or_fit(s, entry, &p[0]);
 	for (size_t i = 1; i < n; i++)
-		trust_keep_worse(
+		trust_replace_if_worse(
 		    &worst, trust_in_answer_or_fit(s, entry, &p[i]));
 	return worst;
 }
@@ -285,7 +287,7 @@ trust_worst_of_several(const struct session *s, const struct entry *entry,
 /* Returns "amber: " and the first reason, or "green" and on what condition.
  * The caller frees it. */
 static char *
-light_and_reason_text(const struct trust *t)
+trust_light_and_reason_text(const struct trust *t)
 {
 	const char *name = tr(LIGHT_NAME[t->light]);
 	if (t->n > 0)
@@ -311,7 +313,7 @@ trust_in_words_at_speed(const struct session *s, const struct entry *entry,
     double speed, size_t feed)
 {
 	struct trust t = trust_at_speed(s, entry, speed, feed);
-	FREED char *words = light_and_reason_text(&t);
+	FREED char *words = trust_light_and_reason_text(&t);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, speed, NAN);
 	char *said = xasprintf(tr("trust at %g m/s%s: %s"), speed, rpm, words);
 	trust_free(&t);
@@ -328,39 +330,40 @@ trust_put_fields(struct fields *o, const struct trust *t)
 }
 
 void
-trust_show_with_speed(
+trust_add_to_answer_at_speed(
     struct answer *r, const struct site *site, double speed, struct trust t)
 {
 	static const enum answer_grade GRADE[] = {
 	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
-	FREED char *words = light_and_reason_text(&t);
+	FREED char *words = trust_light_and_reason_text(&t);
 	const char *why = t.n > 0 ? tr(" ('why' explains)") : "";
 	FREED char *rpm =
 	    rotor_speed_rpm_text(speed > 0 ? site->rotor : 0, speed, NAN);
 	if (speed > 0)
-		answer_say(r, GRADE[t.light], "trust at %g m/s%s: %s%s", speed,
-		    rpm, words, why);
+		answer_add_sentence(r, GRADE[t.light],
+		    "trust at %g m/s%s: %s%s", speed, rpm, words, why);
 	else
-		answer_say(r, GRADE[t.light], "trust: %s%s", words, why);
-	trust_put_fields(answer_fields(r), &t);
+		answer_add_sentence(
+		    r, GRADE[t.light], "trust: %s%s", words, why);
+	trust_put_fields(answer_json_fields(r), &t);
 	trust_free(&t);
 }
 
 void
-trust_show(struct answer *r, struct trust t)
+trust_add_to_answer(struct answer *r, struct trust t)
 {
-	trust_show_with_speed(r, NULL, 0, t);
+	trust_add_to_answer_at_speed(r, NULL, 0, t);
 }
 
 /* Returns the verdict if it does not depend on the light, otherwise NULL. */
 static const char *
-verdict_needing_no_light(const struct entry *entry)
+verdict_independent_of_trust(const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	return fit->rmse > FIT_POOR        ? tr("poor")
-	       : fit_has_too_few_data(fit) ? tr("too few data")
-	       : fit_nothing_breaks(entry) ? tr("nothing breaks")
-					   : NULL;
+	return fit->rmse > FIT_POOR         ? tr("poor")
+	       : fit_has_too_few_data(fit)  ? tr("too few data")
+	       : fit_has_no_breakage(entry) ? tr("nothing breaks")
+					    : NULL;
 }
 
 static const char *
@@ -375,17 +378,18 @@ const char *
 verdict_on_fit(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
-	const char *plain = verdict_needing_no_light(entry);
+	const char *plain = verdict_independent_of_trust(entry);
 	return plain != NULL
 		   ? plain
 		   : verdict_of_light(trust_in_answer_or_fit(s, entry, p));
 }
 
 const char *
-verdict_without_draws(const struct session *s, const struct entry *entry)
+fit_verdict_without_posterior(
+    const struct session *s, const struct entry *entry)
 {
-	const char *plain = verdict_needing_no_light(entry);
-	struct evidence e = evidence_without_draws(s, entry);
+	const char *plain = verdict_independent_of_trust(entry);
+	struct evidence e = trust_evidence_without_posterior(s, entry);
 	/* No cut has been added since this calibration. */
 	return plain != NULL ? plain
 			     : verdict_of_light(judge_trust_in_answer(

@@ -12,10 +12,10 @@
 struct trust trust_in_answer_or_fit(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
-/* trust_keep_worse replaces *worst by t if that is worse, and frees the other;
- * trust_worst_of_several returns the worst light of answers [n]. */
-void trust_keep_worse(struct trust *worst, struct trust t);
-struct trust trust_worst_of_several(const struct session *s,
+/* trust_replace_if_worse replaces *worst by t if that is worse, and frees the
+ * other; trust_worst_of_predictions returns the worst light of answers [n]. */
+void trust_replace_if_worse(struct trust *worst, struct trust t);
+struct trust trust_worst_of_predictions(const struct session *s,
     const struct entry *entry, const struct prediction *p, size_t n);
 
 /* trust_at_speed returns the light of the answer at a speed with the feed of a
@@ -29,12 +29,12 @@ char *trust_in_words_at_speed(const struct session *s,
 /* Puts the fields "trust" and "reasons". */
 void trust_put_fields(struct fields *o, const struct trust *t);
 
-/* trust_show adds the light to the answer's fields, and a sentence about it,
- * which is a warning if the light is red; trust_show_with_speed names the speed
- * of the light, for an answer that is not the product at that speed.  Both free
- * the light. */
-void trust_show(struct answer *r, struct trust t);
-void trust_show_with_speed(
+/* trust_add_to_answer adds the light to the answer's fields, and a sentence
+ * about it, which is a warning if the light is red;
+ * trust_add_to_answer_at_speed names the speed of the light, for an answer that
+ * is not the product at that speed.  Both free the light. */
+void trust_add_to_answer(struct answer *r, struct trust t);
+void trust_add_to_answer_at_speed(
     struct answer *r, const struct site *site, double speed, struct trust t);
 
 /* Returns the verdict on the fit behind an answer p, or on the fit alone if p
@@ -46,7 +46,7 @@ const char *verdict_on_fit(const struct session *s, const struct entry *entry,
 /* As verdict_on_fit for a fit, but without draws from its posterior, which take
  * three times as long as the calibration.  Draws may turn "good" into
  * "doubtful". */
-const char *verdict_without_draws(
+const char *fit_verdict_without_posterior(
     const struct session *s, const struct entry *entry);
 
 #endif

@@ -42,7 +42,7 @@ document_free(struct document *d)
 }
 
 static void
-append_part(struct document *d, struct document_part part)
+append_document_part(struct document *d, struct document_part part)
 {
 	d->part = xrealloc(d->part, d->n + 1, sizeof *d->part);
 	d->part[d->n++] = part;
@@ -51,7 +51,7 @@ append_part(struct document *d, struct document_part part)
 /* Makes a part of the text printed since the last part; call it before adding
  * another part.  Leaves out empty lines at both ends, meant for a terminal. */
 static void
-take_printed_text(struct document *d)
+add_printed_text_to_document(struct document *d)
 {
 	fflush(d->out);
 	size_t n = d->n_text, from = d->taken;
@@ -61,15 +61,16 @@ take_printed_text(struct document *d)
 	while (from < n && d->text[from] == '\n')
 		from++;
 	if (n > from)
-		append_part(d, (struct document_part){.kind = DOCUMENT_TEXT,
-				   .text = xstrndup(d->text + from, n - from)});
+		append_document_part(
+		    d, (struct document_part){.kind = DOCUMENT_TEXT,
+			   .text = xstrndup(d->text + from, n - from)});
 }
 
 static void
 document_add_part(struct document *d, struct document_part part)
 {
-	take_printed_text(d);
-	append_part(d, part);
+	add_printed_text_to_document(d);
+	append_document_part(d, part);
 }
 
 void
@@ -80,7 +81,7 @@ document_set_title(struct document *d, const char *title)
 }
 
 void
-document_say(
+document_add_paragraph(
     struct document *d, enum document_kind kind, const char *format, ...)
 {
 	va_list ap;
@@ -117,7 +118,7 @@ document_add_chart(struct document *d, struct chart *chart)
 bool
 document_finish(struct document *d)
 {
-	take_printed_text(d);
+	add_printed_text_to_document(d);
 	for (size_t i = 0; i < d->n && d->title == NULL; i++) {
 		const struct document_part *p = &d->part[i];
 		const char *title = p->answer != NULL
@@ -134,7 +135,7 @@ document_finish(struct document *d)
 }
 
 char *
-document_part_counts_text(const struct document *d)
+document_parts_summary_text(const struct document *d)
 {
 	size_t tables = 0, images = 0, lines = 0;
 	for (size_t i = 0; i < d->n; i++) {
@@ -189,7 +190,7 @@ document_column_width(const struct answer_view *v, size_t column)
 }
 
 bool
-document_find_next_columns(
+document_find_columns_that_fit(
     const struct answer_view *v, bool all, size_t *from, size_t *to)
 {
 	enum { WIDEST = 120, GAP = 2 };
@@ -216,7 +217,7 @@ document_is_number_column(const struct answer_view *v, size_t column)
 }
 
 char *
-document_take_next_line(const char **text)
+document_copy_next_text_line(const char **text)
 {
 	if (**text == '\0')
 		return NULL;

@@ -51,7 +51,7 @@ struct document *document_new(const char *made_by);
 void document_free(struct document *document); /* NULL is allowed */
 
 void document_set_title(struct document *document, const char *title);
-void document_say(struct document *document, enum document_kind kind,
+void document_add_paragraph(struct document *document, enum document_kind kind,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 void document_add_trust_light(
     struct document *document, enum light light, const char *words);
@@ -69,12 +69,12 @@ bool document_finish(struct document *document);
 
 /* Returns "3 tables, 1 image" or, if it has neither, the number of lines of
  * text.  The caller frees it. */
-char *document_part_counts_text(const struct document *document);
+char *document_parts_summary_text(const struct document *document);
 
 /* Finds the next columns of a table that fit on a page beside the first column:
  * from *from up to but not including *to, which is 0 before the first call.
  * Returns false if no columns are left.  all: take all, however wide. */
-bool document_find_next_columns(
+bool document_find_columns_that_fit(
     const struct answer_view *view, bool all, size_t *from, size_t *to);
 
 /* True if the column contains only numbers, which are right-aligned. */
@@ -82,6 +82,6 @@ bool document_is_number_column(const struct answer_view *view, size_t column);
 
 /* Returns the next line of a text, without its line break, and moves *text past
  * it; NULL at the end.  The caller frees it. */
-char *document_take_next_line(const char **text);
+char *document_copy_next_text_line(const char **text);
 
 #endif

@@ -123,7 +123,7 @@ html_put_answer(const struct document *d, size_t i, FILE *out)
 	}
 	html_put_sentences(&v, true, out);
 	for (size_t from, to = 0;
-	     document_find_next_columns(&v, d->one_page, &from, &to);)
+	     document_find_columns_that_fit(&v, d->one_page, &from, &to);)
 		html_put_table(&v, from, to, out);
 	html_put_sentences(&v, false, out);
 }
@@ -133,7 +133,7 @@ html_put_text_lines(const char *text, FILE *out)
 {
 	char *line;
 	fputs("<pre>", out);
-	while ((line = document_take_next_line(&text)) != NULL) {
+	while ((line = document_copy_next_text_line(&text)) != NULL) {
 		html_put_escaped("", line, "\n", out);
 		free(line);
 	}
@@ -141,7 +141,7 @@ html_put_text_lines(const char *text, FILE *out)
 }
 
 static void
-html_put_part(const struct document *d, size_t i, FILE *out)
+html_put_document_part(const struct document *d, size_t i, FILE *out)
 {
 	const struct document_part *p = &d->part[i];
 	switch (p->kind) {
@@ -164,7 +164,7 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 		break;
 	case DOCUMENT_PICTURE:
 		fputs("<figure>\n", out);
-		picture_write(p->chart, PICTURE_INLINE, PICTURE_WIDTH,
+		picture_write_chart(p->chart, PICTURE_INLINE, PICTURE_WIDTH,
 		    "tipspeed " PACKAGE_VERSION, out);
 		fputs("</figure>\n", out);
 		break;
@@ -188,7 +188,7 @@ document_to_html(const struct document *d, size_t *n)
 	fprintf(out, "<style>\n%s</style>\n</head>\n<body>\n", STYLE);
 	html_put_escaped("<h1>", d->title, "</h1>\n", out);
 	for (size_t i = 0; i < d->n; i++)
-		html_put_part(d, i, out);
+		html_put_document_part(d, i, out);
 	html_put_escaped(
 	    "<footer>", d->made_by, "</footer>\n</body>\n</html>\n", out);
 	fclose(out);

@@ -45,7 +45,8 @@ width_within_margins(const struct pdf_layout *p)
 
 /* Draws a horizontal line from the left margin to `end`. */
 static void
-pdf_draw_line(struct pdf_layout *p, double end, double y, double width)
+pdf_draw_horizontal_line(
+    struct pdf_layout *p, double end, double y, double width)
 {
 	double x[] = {MARGIN, end}, at[] = {y, y};
 	p->pen->path(p->pen, x, at, 2,
@@ -57,7 +58,7 @@ pdf_draw_page_foot(struct pdf_layout *p)
 {
 	struct pen_style style = {.size = 8};
 	double y = p->height - FOOT;
-	pdf_draw_line(p, p->width - MARGIN, y - 10, 0.4);
+	pdf_draw_horizontal_line(p, p->width - MARGIN, y - 10, 0.4);
 	p->pen->text(p->pen, MARGIN, y, p->document->made_by, &style);
 	style.anchor = PEN_END;
 	FREED char *number =
@@ -95,7 +96,7 @@ pdf_move_down(struct pdf_layout *p, double points)
 /* Returns how many bytes of the text fit on a line: whole words or, if not even
  * one fits, part of a word. */
 static size_t
-next_line_length(struct pdf_layout *p, const char *text, double width,
+text_length_fitting_line(struct pdf_layout *p, const char *text, double width,
     const struct pen_style *style)
 {
 	size_t fits = 0;
@@ -128,9 +129,10 @@ break_into_lines(struct pdf_layout *p, const char *words, double width,
 	FREED char *shown = text_with_control_escaped(words);
 	const char *text = shown;
 	do {
-		size_t n = p->pen->width(p->pen, text, style) <= width
-			       ? strlen(text)
-			       : next_line_length(p, text, width, style);
+		size_t n =
+		    p->pen->width(p->pen, text, style) <= width
+			? strlen(text)
+			: text_length_fitting_line(p, text, width, style);
 		lines.line =
 		    xrealloc(lines.line, lines.n + 1, sizeof *lines.line);
 		lines.line[lines.n++] = xstrndup(text, n);
@@ -201,7 +203,7 @@ pdf_put_text_lines(struct pdf_layout *p, const char *text)
 	struct pen_style style = scaled_text_style(p, 7.5, false);
 	char *line;
 	style.mono = true;
-	while ((line = document_take_next_line(&text)) != NULL) {
+	while ((line = document_copy_next_text_line(&text)) != NULL) {
 		pdf_put_paragraph(p, line, &style);
 		free(line);
 	}
@@ -327,12 +329,13 @@ pdf_put_table_columns(struct pdf_layout *p, struct table_part *g)
 		if (again)
 			pdf_put_row(p, g, 0);
 		if (again || row == 1) {
-			pdf_draw_line(p, table_rule_end_x(p, g), p->y, 0.7);
+			pdf_draw_horizontal_line(
+			    p, table_rule_end_x(p, g), p->y, 0.7);
 			pdf_move_down(p, 1.5);
 		}
 		pdf_put_row(p, g, row);
 	}
-	pdf_draw_line(p, table_rule_end_x(p, g), p->y + 1, 0.3);
+	pdf_draw_horizontal_line(p, table_rule_end_x(p, g), p->y + 1, 0.3);
 	pdf_move_down(p, 5);
 }
 
@@ -344,7 +347,7 @@ pdf_put_table(struct pdf_layout *p, const struct answer_view *v)
 	    .width = xcalloc_doubles(v->n_column + 1)};
 	bool all = p->document->one_page;
 	for (size_t from, to = 0;
-	     document_find_next_columns(v, all, &from, &to);) {
+	     document_find_columns_that_fit(v, all, &from, &to);) {
 		g.n = 0;
 		g.size = 8.5;
 		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
@@ -370,7 +373,8 @@ pdf_put_sentences(
 /* Returns how much of an answer has to be on the page of its title: the whole
  * table, unless that is long. */
 static double
-height_kept_together(const struct pdf_layout *p, const struct answer_view *v)
+answer_height_kept_together(
+    const struct pdf_layout *p, const struct answer_view *v)
 {
 	static const double TITLE = 40, ROW = 8.5, LEAST = 60, LONG = 0.45;
 	double table = p->scale * (TITLE + LINE * ROW * (double)(v->n_row + 2));
@@ -385,7 +389,7 @@ pdf_put_answer(struct pdf_layout *p, const struct answer *answer, bool top)
 	struct pen_style about = scaled_text_style(p, 8, false);
 	about.series = SERIES_FEED;
 	pdf_move_down(p, 6);
-	begin_page_unless_fits(p, height_kept_together(p, &v));
+	begin_page_unless_fits(p, answer_height_kept_together(p, &v));
 	if (v.title != NULL && !top)
 		pdf_put_paragraph(p, v.title, &title);
 	if (v.provenance != NULL) {
@@ -401,24 +405,25 @@ pdf_put_answer(struct pdf_layout *p, const struct answer *answer, bool top)
 static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
 
 static double
-picture_scale(const struct pdf_layout *p)
+scale_of_picture_in_pdf(const struct pdf_layout *p)
 {
 	return fmin(p->scale, width_within_margins(p) / PICTURE_WIDTH);
 }
 
 static double
-picture_height(const struct pdf_layout *p, const struct chart *chart)
+pdf_chart_height(const struct pdf_layout *p, const struct chart *chart)
 {
-	return picture_scale(p) * chart_picture_height(chart, PROGRAM);
+	return scale_of_picture_in_pdf(p) *
+	       chart_picture_height(chart, PROGRAM);
 }
 
 static void
 pdf_put_chart(struct pdf_layout *p, const struct chart *chart)
 {
-	double height = picture_height(p, chart);
+	double height = pdf_chart_height(p, chart);
 	pdf_move_down(p, 6);
 	begin_page_unless_fits(p, height);
-	p->pen->place(p->pen, MARGIN, p->y, picture_scale(p));
+	p->pen->place(p->pen, MARGIN, p->y, scale_of_picture_in_pdf(p));
 	chart_picture_draw(chart, PROGRAM, p->pen);
 	p->pen->place(p->pen, 0, 0, 1);
 	p->y += height;
@@ -437,19 +442,19 @@ pdf_put_heading(struct pdf_layout *p, size_t i)
 	double kept = LEAST * p->scale;
 	if (next->answer != NULL) {
 		struct answer_view v = answer_view(next->answer);
-		kept = height_kept_together(p, &v);
+		kept = answer_height_kept_together(p, &v);
 	} else if (next->chart != NULL) {
-		kept = picture_height(p, next->chart);
+		kept = pdf_chart_height(p, next->chart);
 	}
 	pdf_move_down(p, 14);
 	begin_page_unless_fits(p, OWN * p->scale + kept);
 	pdf_put_paragraph(p, d->part[i].text, &style);
-	pdf_draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
+	pdf_draw_horizontal_line(p, p->width - MARGIN, p->y + 1, 0.7);
 	pdf_move_down(p, 3);
 }
 
 static void
-pdf_put_part(struct pdf_layout *p, size_t i)
+pdf_put_document_part(struct pdf_layout *p, size_t i)
 {
 	const struct document_part *part = &p->document->part[i];
 	struct pen_style style =
@@ -498,7 +503,7 @@ lay_out_pdf(struct pdf_layout *p, size_t *n)
 		struct pen_style title = scaled_text_style(p, 16, true);
 		pdf_put_paragraph(p, d->title, &title);
 		for (size_t i = 0; i < d->n; i++)
-			pdf_put_part(p, i);
+			pdf_put_document_part(p, i);
 		pdf_draw_page_foot(p);
 		ok = p->pen->close(p->pen);
 	}
@@ -513,7 +518,7 @@ lay_out_pdf(struct pdf_layout *p, size_t *n)
 /* Finds the largest scale at which all fits on one page, upright or across,
  * without shrinking a table. */
 static void
-fit_on_one_page(struct pdf_layout *p)
+scale_to_one_page(struct pdf_layout *p)
 {
 	enum { STEPS = 7 };
 	size_t n;
@@ -541,10 +546,10 @@ char *
 document_to_pdf(const struct document *d, size_t *n, size_t *pages)
 {
 	struct pdf_layout p = {.document = d, .scale = 1};
-	if (!picture_can_draw_form(PICTURE_PDF))
+	if (!picture_can_draw_format(PICTURE_PDF))
 		return NULL;
 	if (d->one_page)
-		fit_on_one_page(&p);
+		scale_to_one_page(&p);
 	free(lay_out_pdf(&p, n));
 	p.pages = p.page;
 	char *bytes = lay_out_pdf(&p, n);

@@ -6,8 +6,8 @@
 #include "cmd/document/document.h"
 
 /* Returns the file, *n bytes, which the caller frees, and the number of its
- * pages.  NULL if this program cannot draw PDF, see picture_can_draw_form.  The
- * same document gives the same bytes. */
+ * pages.  NULL if this program cannot draw PDF, see picture_can_draw_format.
+ * The same document gives the same bytes. */
 char *document_to_pdf(
     const struct document *document, size_t *n, size_t *pages);
 

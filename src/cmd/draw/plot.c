@@ -88,7 +88,7 @@ note_unused_options(
 		    (const char *)args + OPTION_KINDS[i].option;
 		if ((OPTION_KINDS[i].kinds & 1u << kind) == 0 &&
 		    args_is_given(args, member))
-			session_note(s,
+			session_print_note(s,
 			    "plot %s does not use %s=", args->operand[0],
 			    args_option_name(args, member));
 	}
@@ -121,7 +121,7 @@ parse_plot_request(const struct session *s, const struct args *args,
  * beside.  A speed as feed= names a feed of the first site only.  If a site is
  * not loaded, plots_make_chart sets the error. */
 static bool
-parse_plot_questions(struct session *s, const struct args *args,
+parse_speed_and_feed_of_plot(struct session *s, const struct args *args,
     struct plot_request *r, struct question *second, struct error *error)
 {
 	struct error none = {0};
@@ -158,7 +158,8 @@ make_requested_chart(struct session *s, const struct args *args,
 	*second = (struct question){0};
 	*request = (struct plot_request){0};
 	return parse_plot_request(s, args, request, error) &&
-		       parse_plot_questions(s, args, request, second, error)
+		       parse_speed_and_feed_of_plot(
+			   s, args, request, second, error)
 		   ? plots_make_chart(s, request, error)
 		   : NULL;
 }
@@ -204,9 +205,9 @@ tick_label_at(const struct axis *axis, double at)
 /* Adds a row for each cell of a matrix: the names of its row and column, and
  * its value. */
 static void
-add_matrix_chart_rows(struct answer *r, const struct chart *chart)
+add_correlation_matrix_rows(struct answer *r, const struct chart *chart)
 {
-	answer_columns(r, "parameter, with, correlation");
+	answer_add_columns(r, "parameter, with, correlation");
 	for (size_t i = 0; i < chart->n; i++)
 		for (size_t j = 0; j < chart->series[i]->n; j++) {
 			const struct chart_series *p = chart->series[i];
@@ -221,8 +222,8 @@ add_matrix_chart_rows(struct answer *r, const struct chart *chart)
 /* Adds a row for each point.  several: with its site.  of: title of the
  * vertical axis, for a column of its own, or NULL. */
 static void
-add_series_rows(struct answer *r, const struct chart_series *p, bool several,
-    const char *of)
+add_chart_series_rows(struct answer *r, const struct chart_series *p,
+    bool several, const char *of)
 {
 	for (size_t j = 0; j < p->n; j++) {
 		if (isnan(p->y[j]))
@@ -231,7 +232,7 @@ add_series_rows(struct answer *r, const struct chart_series *p, bool several,
 			add_site_cells_of_point(r, p, j);
 		answer_add_cells(r, "%s %g", p->name, p->x[j]);
 		if (of != NULL)
-			answer_text(r, "%s", of);
+			answer_add_text_cell(r, "%s", of);
 		answer_add_cells(r, "%g %g %g", p->y[j],
 		    p->low != NULL ? p->low[j] : NAN,
 		    p->low != NULL ? p->high[j] : NAN);
@@ -254,29 +255,29 @@ build_chart_answer(const struct session *s, const struct chart *chart)
 	struct answer *r = answer_new("plot");
 	bool several =
 	    chart->n > 0 && chart->series[chart->n - 1]->whose != NULL;
-	answer_title(r, "%s", chart->title);
+	answer_set_title(r, "%s", chart->title);
 	if (several)
-		answer_columns(r, "site, provenance");
+		answer_add_columns(r, "site, provenance");
 	else
 		answer_set_site(r,
 		    s->n_entry > 0 ? s->entry[s->current].site->name : "",
 		    chart->about);
 	if (chart->n > 0 && chart->series[0]->field != NULL) {
-		add_matrix_chart_rows(r, chart);
+		add_correlation_matrix_rows(r, chart);
 		return r;
 	}
 	FREED char *x = json_key_of_axis(&chart->x),
 		   *y = json_key_of_axis(&chart->y);
-	answer_columns(r, "series: series");
-	answer_column(r, x, chart->x.title);
+	answer_add_columns(r, "series: series");
+	answer_add_column(r, x, chart->x.title);
 	if (next_chart_below(chart) == NULL)
-		answer_column(r, y, chart->y.title);
+		answer_add_column(r, y, chart->y.title);
 	else
-		answer_columns(r, "of, value");
-	answer_columns(r, "low, high");
+		answer_add_columns(r, "of, value");
+	answer_add_columns(r, "low, high");
 	for (const struct chart *c = chart; c != NULL; c = next_chart_below(c))
 		for (size_t i = 0; i < c->n; i++)
-			add_series_rows(r, c->series[i], several,
+			add_chart_series_rows(r, c->series[i], several,
 			    next_chart_below(chart) != NULL ? c->y.title
 							    : NULL);
 	return r;
@@ -285,7 +286,7 @@ build_chart_answer(const struct session *s, const struct chart *chart)
 /* Returns the number of columns or rows: as asked; else those of the screen,
  * but no more than `most`; else, if there is no screen, `elsewhere`. */
 static int
-cells_asked_or_fitting(double asked, int screen, int most, int elsewhere)
+canvas_size_asked_or_fitting(double asked, int screen, int most, int elsewhere)
 {
 	if (asked > 0)
 		return (int)asked;
@@ -307,18 +308,18 @@ print_chart(struct session *s, const struct args *args,
 {
 	enum { WIDTH = 78, WIDEST = 100, HEIGHT = 24 };
 	const struct screen *screen = &s->screen;
-	int columns =
-	    cells_asked_or_fitting(args->width, screen->columns, WIDEST, WIDTH);
+	int columns = canvas_size_asked_or_fitting(
+	    args->width, screen->columns, WIDEST, WIDTH);
 	int strip = chart->below != NULL ? chart->below->strip : 0;
 	int most = HEIGHT + strip;
-	int rows =
-	    cells_asked_or_fitting(args->height, screen->rows - 2, most, most);
+	int rows = canvas_size_asked_or_fitting(
+	    args->height, screen->rows - 2, most, most);
 	/* Each further chart is as high as a single one. */
 	for (const struct chart *c = next_chart_below(chart); c != NULL;
 	     c = next_chart_below(c))
 		rows += args->height > 0
 			    ? 0
-			    : cells_asked_or_fitting(
+			    : canvas_size_asked_or_fitting(
 				  0, screen->rows - 2, HEIGHT, HEIGHT);
 	struct canvas *canvas =
 	    chart_draw(chart, columns, rows, charset, CHART_ALL);
@@ -327,7 +328,7 @@ print_chart(struct session *s, const struct args *args,
 }
 
 static bool
-error_cannot_draw(const struct session *s, struct error *error)
+error_cannot_draw_image(const struct session *s, struct error *error)
 {
 	return error_set(error, ERROR_SYSTEM,
 	    "cannot draw the image %s\n"
@@ -340,7 +341,7 @@ plot_is_image_wanted(const struct session *s)
 {
 	enum picture_form form;
 	return s->document != NULL ||
-	       (s->file != NULL && picture_form_of_file_name(s->file, &form));
+	       (s->file != NULL && picture_format_of_file_name(s->file, &form));
 }
 
 bool
@@ -353,10 +354,10 @@ plot_write_image(struct session *s, struct chart *chart, struct error *error)
 	}
 	/* Whole points; the usual width comes to PICTURE_WIDTH. */
 	double width = round(s->set.figure_mm / 25.4 * 72);
-	bool ok = (picture_form_of_file_name(s->file, &form) &&
-		      picture_write(chart, form, width,
+	bool ok = (picture_format_of_file_name(s->file, &form) &&
+		      picture_write_chart(chart, form, width,
 			  "tipspeed " PACKAGE_VERSION, s->out)) ||
-		  error_cannot_draw(s, error);
+		  error_cannot_draw_image(s, error);
 	chart_free(chart);
 	return ok;
 }
@@ -389,7 +390,7 @@ build_screen_answer(const struct canvas *canvas)
 	FILE *memory = text_open_memory(&text, &n);
 	canvas_print(canvas, 0, memory);
 	fclose(memory);
-	answer_columns(r, "text");
+	answer_add_columns(r, "text");
 	for (char *line = text; *line != '\0'; line += strlen(line) + 1) {
 		line[strcspn(line, "\n")] = '\0';
 		answer_add_cells(r, "%s", line);
@@ -406,7 +407,7 @@ write_screen_image(struct session *s, const struct canvas *canvas, int colours,
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	FREED char *label = entry != NULL ? session_site_label(entry->site)
 					  : xstrdup(tr("no site loaded"));
-	double speed = session_answer_number(s, "predict", "speed");
+	double speed = session_number_in_last_answer(s, "predict", "speed");
 	FREED char *rpm = rotor_speed_rpm_text(
 	    entry != NULL ? entry->site->rotor : 0, speed, NAN);
 	FREED char *title =
@@ -414,16 +415,17 @@ write_screen_image(struct session *s, const struct canvas *canvas, int colours,
 		? xasprintf(tr("tipspeed, full-screen mode: %s at %.*f m/s%s"),
 		      label, units_speed_decimals(speed), speed, rpm)
 		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
-	FREED char *from =
-	    entry != NULL ? site_source_clause(entry->site, "") : xstrdup("");
+	FREED char *from = entry != NULL
+			       ? site_provenance_first_clause(entry->site, "")
+			       : xstrdup("");
 	FREED char *about = xasprintf(
 	    from[0] ? tr("A text screen of %d columns and %d rows. Data: %s")
 		    : tr("A text screen of %d columns and %d rows.%s"),
 	    canvas->columns, canvas->rows, from);
-	return (picture_form_of_file_name(s->file, &form) &&
+	return (picture_format_of_file_name(s->file, &form) &&
 		   picture_write_screen(
 		       canvas, colours, form, title, about, s->out)) ||
-	       error_cannot_draw(s, error);
+	       error_cannot_draw_image(s, error);
 }
 
 /* Prints one row for a screen reader.  Leaves out characters that repeat three
@@ -440,7 +442,8 @@ print_row_for_screen_reader(
 			;
 		bool drawn = n >= 3 && !(sign >= '0' && sign <= '9');
 		for (int i = 0; i < n && !drawn && sign != 0; i++)
-			xappend(&text, "%s", canvas_encode_utf8(sign, code));
+			xappend(
+			    &text, "%s", canvas_encode_code_point(sign, code));
 		if (drawn)
 			xappend(&text, "  ");
 	}
@@ -523,7 +526,7 @@ curve_p_sizes_text(const struct chart *c, const struct chart_series *s)
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
 	for (size_t i = 0; s->psd && i < ARRAY_LEN(PASSING); i++) {
-		double x = chart_x_at(c, s, PASSING[i]);
+		double x = chart_series_x_at_y(c, s, PASSING[i]);
 		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);
 		if (isnan(x))
 			xappend(&text, tr("outside the sieves"));
@@ -564,7 +567,7 @@ describe_curve(
 /* Gives the coordinates of the points of a series: of all, or of the first
  * FEW. */
 static void
-describe_points(struct answer *r, const struct chart_series *s)
+describe_series_points(struct answer *r, const struct chart_series *s)
 {
 	enum { FEW = 6 };
 	size_t shown = 0;
@@ -635,7 +638,7 @@ describe_difference_of_curves(
 	const struct chart_series *top = c->series[c->n - 1];
 	double most = 0, here = 0, there = 0, x = NAN;
 	for (size_t i = 0; i < other->n; i++) {
-		double y = chart_y_at(c, top, other->x[i]);
+		double y = chart_series_y_at_x(c, top, other->x[i]);
 		if (!(fabs(y - other->y[i]) > most))
 			continue;
 		most = fabs(y - other->y[i]);
@@ -651,12 +654,12 @@ describe_difference_of_curves(
 }
 
 static void
-describe_series(struct answer *r, const struct chart *c)
+describe_chart_series(struct answer *r, const struct chart *c)
 {
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
 		if (s->line == CHART_MARKS && !s->psd)
-			describe_points(r, s);
+			describe_series_points(r, s);
 		else if (s->series != SERIES_TEXT)
 			describe_curve(r, c, s);
 	}
@@ -667,7 +670,7 @@ describe_series(struct answer *r, const struct chart *c)
 }
 
 static void
-describe_difference_strip(struct answer *r, const struct chart *c)
+note_largest_differences_in_strip(struct answer *r, const struct chart *c)
 {
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
@@ -684,7 +687,7 @@ describe_difference_strip(struct answer *r, const struct chart *c)
 /* Names for each run the sieve at which the candidates are furthest apart, and
  * the sieve at which the best candidate errs most. */
 static void
-describe_candidate_bars(struct answer *r, const struct chart *c)
+describe_search_candidate_bars(struct answer *r, const struct chart *c)
 {
 	for (size_t i = 0; i + 1 < c->n; i++) {
 		const struct chart_series *s = c->series[i];
@@ -711,7 +714,7 @@ static void
 describe_chart(struct answer *r, const struct chart *c)
 {
 	if (c->strip > 0) {
-		describe_difference_strip(r, c);
+		note_largest_differences_in_strip(r, c);
 		return;
 	}
 	bool bars = false;
@@ -723,9 +726,9 @@ describe_chart(struct answer *r, const struct chart *c)
 	else if (c->y.names)
 		describe_parameter_spread(r, c);
 	else if (bars)
-		describe_candidate_bars(r, c);
+		describe_search_candidate_bars(r, c);
 	else
-		describe_series(r, c);
+		describe_chart_series(r, c);
 	for (size_t i = 0; i < c->n_rule; i++)
 		answer_note(r, "A line from foot to top: %s", c->rule[i].name);
 	for (size_t i = 0; i < c->n_note; i++)
@@ -752,7 +755,7 @@ describe_speeds_meeting_goal(
 	FREED char *words =
 	    goals_outcome_text(s, entry, &goal, speed, GOALS_FULL);
 	answer_note(r, "%s", words);
-	fields_put_values(answer_fields(r), "goal %s", words);
+	fields_put_values(answer_json_fields(r), "goal %s", words);
 	goals_discard_results(&goal);
 }
 
@@ -766,12 +769,14 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 	bool ok = chart != NULL;
 	if (ok) {
 		struct answer *r = answer_new("describe");
-		answer_title(r, "%s", chart->title);
+		answer_set_title(r, "%s", chart->title);
 		answer_set_site_names(r,
-		    s->n_entry > 0 ? session_current_entry(s)->site->name : "",
+		    s->n_entry > 0 ? session_current_site_entry(s)->site->name
+				   : "",
 		    chart->about);
-		fields_put_values(answer_fields(r), "kind %s title %s data %s",
-		    args->operand[0], chart->title, chart->about);
+		fields_put_values(answer_json_fields(r),
+		    "kind %s title %s data %s", args->operand[0], chart->title,
+		    chart->about);
 		for (const struct chart *c = chart; c != NULL; c = c->below)
 			describe_chart(r, c);
 		describe_speeds_meeting_goal(r, s, &request);
@@ -800,7 +805,7 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	enum charset charset = charset_asked(args, s->screen.drawing);
 	bool image = plot_is_image_wanted(s);
 	if (image && (args->width > 0 || args->height > 0))
-		session_note(s,
+		session_print_note(s,
 		    "width= and height= are those of text; 'set figure_mm 85' "
 		    "sets the width of images");
 	if (image)

@@ -51,11 +51,11 @@ add_residual_series(struct chart *chart, const struct session *s,
 	    entry->site, params, s->set.model, r->speed, run);
 	FREED char *speed = answers_speed_text(entry->site, r->speed, -1);
 	struct chart_series *series =
-	    chart_add(chart, look, product->n, "%s%s%s", speed, r->repeat,
-		entry->train[run] ? "" : tr(" (held out)"));
+	    chart_append_series(chart, look, product->n, "%s%s%s", speed,
+		r->repeat, entry->train[run] ? "" : tr(" (held out)"));
 	for (size_t i = 0; i < product->n; i++) {
 		double predicted = psd_passing(&p.product, product->size[i]);
-		series->x[i] = units_mm(product->size[i]);
+		series->x[i] = units_m_to_mm(product->size[i]);
 		series->y[i] = i < misfit_count_covered_sieves(r)
 				   ? 100 * (predicted - product->passing[i])
 				   : NAN;
@@ -66,9 +66,9 @@ add_residual_series(struct chart *chart, const struct session *s,
 /* Returns a y axis with round limits for the chart, which includes 0 and has a
  * guide line there. */
 static struct axis
-axis_with_zero(const struct chart *chart, const char *title)
+axis_including_zero(const struct chart *chart, const char *title)
 {
-	struct chart_extent e = chart_find_extent(chart);
+	struct chart_extent e = chart_compute_extent(chart);
 	struct axis axis =
 	    axis_new_linear(title, fmin(0, e.y[0]), fmax(0, e.y[1]));
 	for (size_t i = 0; i < axis.n; i++)
@@ -82,7 +82,7 @@ residuals_chart(
 {
 	const struct site *site = q->asked.entry->site;
 	struct params params;
-	if (!find_params_to_plot(s, q, &params, error))
+	if (!find_param_values_for_plot(s, q, &params, error))
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
@@ -100,10 +100,10 @@ residuals_chart(
 		return NULL;
 	}
 	double middle = site_middle_speed(site);
-	struct chart *chart = site_chart(site, (struct axis){0},
+	struct chart *chart = site_chart_new(site, (struct axis){0},
 	    (struct axis){0}, "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
-		if (!site_run_is_near_speed(
+		if (!site_run_is_among_nearest(
 			site, i, middle, SITE_CHART_SPEEDS) ||
 		    misfit_count_covered_sieves(&site->run[i]) == 0)
 			continue;
@@ -114,7 +114,7 @@ residuals_chart(
 		add_residual_series(chart, s, q->asked.entry, i, &params, look);
 	}
 	site_chart_set_sieve_axis(chart);
-	chart->y = axis_with_zero(chart, tr("difference, points"));
+	chart->y = axis_including_zero(chart, tr("difference, points"));
 	return chart;
 }
 
@@ -123,19 +123,19 @@ add_parity_points(struct chart *chart, const struct session *s,
     const struct trials *pairs, double low, double high)
 {
 	const double ends[] = {low, high};
-	chart_add_points(
+	chart_append_point_series(
 	    chart, SITE_CHART_LEVEL, 2, ends, ends, tr("as measured"));
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct chart_series look = site_chart_series_style(i);
 		look.line = CHART_MARKS;
-		struct chart_series *p =
-		    chart_add(chart, look, pairs->n, "%s", PSD_NAME[i]);
-		chart_add_point_names(p);
+		struct chart_series *p = chart_append_series(
+		    chart, look, pairs->n, "%s", PSD_NAME[i]);
+		chart_allocate_point_names(p);
 		for (size_t j = 0; j < pairs->n; j++) {
 			const struct trial *of = &pairs->item[j];
 			const struct site *site = s->entry[of->entry].site;
 			p->whose[j] = (struct chart_whose){xstrdup(of->key),
-			    site_source_clause(site, ""), NULL};
+			    site_provenance_first_clause(site, ""), NULL};
 			p->x[j] = 1000 * of->v.measured[i];
 			p->y[j] = isnan(p->x[j])
 				      ? NAN
@@ -157,7 +157,7 @@ note_bias_and_rms(struct chart *chart, const struct trials *pairs)
 			continue;
 		if (!isnan(score.r2))
 			snprintf(r2, sizeof r2, "%.4f", score.r2);
-		chart_note(chart,
+		chart_add_note(chart,
 		    tr_n("P%g: bias %+.2f %%, RMS %.2f %%, R2 %s; %zu run",
 			"P%g: bias %+.2f %%, RMS %.2f %%, R2 %s; %zu runs",
 			score.n),
@@ -176,7 +176,7 @@ parity_chart(
 	double low = INFINITY, high = 0;
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].has_params)
-			trials_add_held_out_of_entry(&pairs, s, i, NULL);
+			trials_add_held_out_runs_of_site(&pairs, s, i, NULL);
 	for (size_t j = 0; j < PSD_SIZES * pairs.n; j++) {
 		const struct validation *v = &pairs.item[j / PSD_SIZES].v;
 		double measured = 1000 * v->measured[j % PSD_SIZES];
@@ -218,60 +218,61 @@ log_spaced_value(double low, double high, size_t i)
 }
 
 static void
-add_selection_curve(struct chart *chart, const struct session *s,
+add_selection_function_curve(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, double speed,
     struct chart_series look)
 {
-	struct model_settings settings = model_settings_of_answer(s, entry);
+	struct model_settings settings = model_settings_with_scenario(s, entry);
 	FREED char *at = answers_speed_text(entry->site, speed, -1);
-	struct chart_series *series = chart_add(chart, look, SAMPLES, "%s", at);
+	struct chart_series *series =
+	    chart_append_series(chart, look, SAMPLES, "%s", at);
 	struct breaker b;
 	breaker_set_params(&b, params, &settings);
 	breaker_set_speed(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
-		series->y[i] = 100 * selection_at_log_size(
+		series->y[i] = 100 * selection_share_at_log_size(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
 	double mm =
 	    1000 * params_break_size_by_impacts(params, &settings, speed);
-	chart_add_rule(chart,
+	chart_add_vertical_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
 	    "break size %.2f mm at %s", mm, at);
 }
 
 static struct chart *
-selection_chart(
+selection_function_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct site *site = q->asked.entry->site;
 	double speed =
 	    isnan(q->asked.speed) ? site_middle_speed(site) : q->asked.speed;
 	struct params params;
-	if (!find_params_to_plot(s, q, &params, error))
+	if (!find_param_values_for_plot(s, q, &params, error))
 		return NULL;
 	const struct psd *feed = site_feed_of_run(site, q->asked.feed);
 	struct chart *chart =
-	    site_chart(site, site_chart_sieve_axis(feed->size, feed->n),
+	    site_chart_new(site, site_chart_sieve_axis(feed->size, feed->n),
 		axis_new_percent(tr("share that breaks S(x), %")),
 		"selection function (Eq 3)");
 	if (!isnan(q->other_speed))
-		add_selection_curve(chart, s, q->asked.entry, &params,
+		add_selection_function_curve(chart, s, q->asked.entry, &params,
 		    q->other_speed,
 		    (struct chart_series){.series = SERIES_OTHER,
 			.line = CHART_LONG,
 			.ascii = '%'});
-	add_selection_curve(
+	add_selection_function_curve(
 	    chart, s, q->asked.entry, &params, speed, SITE_CHART_PREDICTED);
 	return chart;
 }
 
 static struct chart *
-appearance_chart(
+appearance_function_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct params params;
-	if (!find_params_to_plot(s, q, &params, error))
+	if (!find_param_values_for_plot(s, q, &params, error))
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,
@@ -286,12 +287,12 @@ appearance_chart(
 	struct breaker b;
 	breaker_set_params(&b, &params, &s->set.model);
 	breaker_set_speed(&b, speed);
-	struct chart *chart = site_chart(site,
+	struct chart *chart = site_chart_new(site,
 	    axis_new_log(tr("size ratio u: progeny / parent, -"), 0.001, 1),
 	    axis_new_percent(tr("share finer than u: B(u), %")),
 	    "appearance function (Eq 1)");
 	struct chart_series *curve =
-	    chart_add(chart, SITE_CHART_PREDICTED, SAMPLES, "B(u)");
+	    chart_append_series(chart, SITE_CHART_PREDICTED, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
 		curve->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
 		curve->y[i] =
@@ -303,7 +304,7 @@ appearance_chart(
 /* Notes which model the site's parameters belong to, if it is not that of the
  * paper. */
 static void
-note_other_model(
+note_model_unless_of_paper(
     struct chart *chart, const struct session *s, const struct entry *entry)
 {
 	if (entry == NULL || !entry->has_params)
@@ -312,7 +313,7 @@ note_other_model(
 	bool energies = s->set.model.impacts.n > 0;
 	if (model == BREAKAGES[0] && !energies)
 		return;
-	chart_note(chart,
+	chart_add_note(chart,
 	    energies ? N_("model: %s, with collision energies")
 		     : N_("model: %s"),
 	    model->name);
@@ -330,7 +331,7 @@ make_chart_in_theme(plot_make *make, struct session *s,
 		return;
 	(*chart)->theme = (enum theme)s->set.theme;
 	if (request->kind != PLOT_MAP && request->kind != PLOT_ENERGY)
-		note_other_model(*chart, s, request->asked.entry);
+		note_model_unless_of_paper(*chart, s, request->asked.entry);
 }
 
 struct chart *
@@ -344,17 +345,17 @@ plots_make_chart(
 	    [PLOT_RUNS] = {plots_runs},
 	    [PLOT_PARITY] = {parity_chart},
 	    [PLOT_CONVERGENCE] = {plots_search_convergence},
-	    [PLOT_SPREAD] = {plots_search_spread},
+	    [PLOT_SPREAD] = {plots_search_param_spread},
 	    [PLOT_RESIDUALS] = {residuals_chart},
-	    [PLOT_SELECTION] = {selection_chart},
-	    [PLOT_APPEARANCE] = {appearance_chart},
+	    [PLOT_SELECTION] = {selection_function_chart},
+	    [PLOT_APPEARANCE] = {appearance_function_chart},
 	    [PLOT_MAP] = {plots_material_map, true},
 	    [PLOT_SWEEP] = {plots_sweep},
 	    [PLOT_RESPONSE] = {plots_response},
 	    [PLOT_PROFILE] = {plots_parameter_profile},
 	    [PLOT_CORRELATION] = {plots_parameter_correlations},
 	    [PLOT_DRIFT] = {plots_control_charts},
-	    [PLOT_SEARCH] = {plots_search_residuals},
+	    [PLOT_SEARCH] = {plots_candidate_residuals},
 	    [PLOT_ENERGY] = {plots_impact_energies, true}};
 	if (!KINDS[request->kind].any_site &&
 	    !session_require_site(s, tr("this plot"), error))
@@ -382,7 +383,7 @@ value_with_unit_text(const struct axis *axis, double value)
 }
 
 static char *
-text_of_found_mark(const struct chart_found *f)
+text_of_mark_near_cell(const struct chart_found *f)
 {
 	const struct chart_series *of = f->series;
 	if (of == NULL)
@@ -404,10 +405,11 @@ plots_find_mark_at_cell(struct session *s, const struct plot_request *request,
 	struct chart *chart = plots_make_chart(s, request, &error);
 	if (chart == NULL)
 		return false;
-	bool in = chart_find_at_cell(chart, columns, rows, request->charset,
-	    request->words, column, row, &f);
+	bool in = chart_find_data_at_cell(chart, columns, rows,
+	    request->charset, request->words, column, row, &f);
 	if (in)
-		*found = (struct plots_found){f.x, f.y, text_of_found_mark(&f)};
+		*found =
+		    (struct plots_found){f.x, f.y, text_of_mark_near_cell(&f)};
 	chart_free(chart);
 	return in;
 }

@@ -21,7 +21,7 @@ posterior_or_error(
 {
 	if (!answers_require_params(s, entry, error))
 		return NULL;
-	const struct posterior *p = posterior_for_comparison(s, entry);
+	const struct posterior *p = posterior_even_if_correction_off(s, entry);
 	if (p == NULL)
 		error_set(error, ERROR_USAGE,
 		    "there are no draws to plot (%s)\n"
@@ -62,10 +62,10 @@ parameter_name_axis(
 
 /* Adds a series of the cells with positive or with negative correlations. */
 static void
-add_correlation_cells(struct chart *chart, const struct posterior *p,
+add_correlation_series(struct chart *chart, const struct posterior *p,
     const size_t *column, size_t n, bool positive)
 {
-	struct chart_series *s = chart_add(chart,
+	struct chart_series *s = chart_append_series(chart,
 	    (struct chart_series){
 		.series = positive ? SERIES_PREDICTED : SERIES_KIND_1,
 		.mark = positive ? '+' : '-'},
@@ -77,7 +77,7 @@ add_correlation_cells(struct chart *chart, const struct posterior *p,
 	for (size_t i = 0; i < n; i++)
 		for (size_t j = 0; j < n; j++) {
 			double r = i == j ? 1
-					  : identify_stronger_correlation(
+					  : identify_larger_of_rank_or_linear(
 						identify_correlate_params(
 						    p, column[i], column[j]));
 			if ((r >= 0) != positive)
@@ -108,13 +108,13 @@ plots_parameter_correlations(
 		    n);
 		return NULL;
 	}
-	struct chart *chart = site_chart(q->asked.entry->site,
+	struct chart *chart = site_chart_new(q->asked.entry->site,
 	    parameter_name_axis(p, column, n, false),
 	    parameter_name_axis(p, column, n, true), "correlations of %d draws",
 	    POSTERIOR_DRAWS);
-	add_correlation_cells(chart, p, column, n, true);
-	add_correlation_cells(chart, p, column, n, false);
-	chart_note(chart,
+	add_correlation_series(chart, p, column, n, true);
+	add_correlation_series(chart, p, column, n, false);
+	chart_add_note(chart,
 	    "of the draws or of their ranks, whichever is stronger; above 0.9 "
 	    "the data determine only a combination of the two");
 	return chart;
@@ -140,13 +140,13 @@ prepare_param_profile(const struct session *s, const struct entry *entry,
 {
 	if (!answers_require_params(s, entry, error))
 		return false;
-	if (origin_source_fit(entry) == NULL)
+	if (origin_fit_behind_params(entry) == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "the parameters do not come from a calibration in this "
 		    "session\n"
 		    "run 'calibrate' first");
 	*a = (struct profile_data){.h = entry->origin->history,
-	    .p = posterior_for_comparison(s, entry)};
+	    .p = posterior_even_if_correction_off(s, entry)};
 	a->fit = a->h->fit.params;
 	a->bounds = a->h->bounds;
 	struct model_settings settings = a->h->fit.settings;
@@ -189,7 +189,7 @@ prepare_param_profile(const struct session *s, const struct entry *entry,
 /* Sets reach to the range to show: that of the draws and the fit and a quarter
  * more on each side, within the bounds; without draws, the bounds. */
 static void
-find_profile_range(
+choose_profile_plot_range(
     const struct profile_data *a, const double *draw, double reach[static 2])
 {
 	reach[0] = a->bounds.lower[a->j];
@@ -211,8 +211,8 @@ find_profile_range(
 /* Sets x to n values spread over the axis, within the bounds.  The fit's own
  * value replaces the nearest one. */
 static void
-choose_profile_values(const struct chart *chart, const struct profile_data *a,
-    double *x, size_t n)
+choose_parameter_profile_values(const struct chart *chart,
+    const struct profile_data *a, double *x, size_t n)
 {
 	double step = (chart->x.high - chart->x.low) / (double)(n - 1);
 	double fit = a->fit.at[a->j];
@@ -232,11 +232,11 @@ add_likelihood_curve(struct chart *chart, const struct profile_data *a)
 {
 	enum { VALUES = 31 };
 	double x[VALUES], misfit[VALUES], least = INFINITY, near[2];
-	choose_profile_values(chart, a, x, VALUES);
+	choose_parameter_profile_values(chart, a, x, VALUES);
 	profile_misfit(a->misfit, &a->fit, &a->bounds, a->j, x, VALUES, misfit);
 	for (size_t i = 0; i < VALUES; i++)
 		least = fmin(least, misfit[i]);
-	struct chart_series *s = chart_add(chart,
+	struct chart_series *s = chart_append_series(chart,
 	    (struct chart_series){
 		.series = SERIES_KIND_1, .line = CHART_SOLID, .ascii = '='},
 	    VALUES, N_("misfit, others refitted"));
@@ -251,7 +251,7 @@ add_likelihood_curve(struct chart *chart, const struct profile_data *a)
 		near[0] = fmin(near[0], x[i]);
 		near[1] = fmax(near[1], x[i]);
 	}
-	chart_note(chart,
+	chart_add_note(chart,
 	    "lowest misfit %.4g, within 10 %% of it from %.3g to %.3g; as a "
 	    "likelihood, the misfit to the power -%g, which takes errors to be "
 	    "independent",
@@ -259,11 +259,11 @@ add_likelihood_curve(struct chart *chart, const struct profile_data *a)
 }
 
 static void
-add_draw_density_curve(
+add_posterior_density_curve(
     struct chart *chart, const struct profile_data *a, const double *draw)
 {
 	enum { POINTS = 101 };
-	struct chart_series *s = chart_add(chart,
+	struct chart_series *s = chart_append_series(chart,
 	    (struct chart_series){
 		.series = SERIES_PREDICTED, .line = CHART_DASHED, .ascii = '#'},
 	    POINTS, N_("draws"));
@@ -295,17 +295,17 @@ plots_parameter_profile(
 		draw = draws;
 		draws[d] = a.p->draw[d].params.at[a.own];
 	}
-	find_profile_range(&a, draw, reach);
+	choose_profile_plot_range(&a, draw, reach);
 	FREED char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
-	struct chart *chart = site_chart(q->asked.entry->site,
+	struct chart *chart = site_chart_new(q->asked.entry->site,
 	    axis_new_linear(title, reach[0], reach[1]),
 	    axis_new_percent(tr("relative to the most probable, %")),
 	    "what the data say of %s", a.info->name);
 	add_likelihood_curve(chart, &a);
 	if (draw != NULL)
-		add_draw_density_curve(chart, &a, draw);
-	chart_add_rule(chart, SERIES_BREAK, a.fit.at[a.j], "calibrated %.4g",
-	    a.fit.at[a.j]);
+		add_posterior_density_curve(chart, &a, draw);
+	chart_add_vertical_rule(chart, SERIES_BREAK, a.fit.at[a.j],
+	    "calibrated %.4g", a.fit.at[a.j]);
 	misfit_free(a.misfit);
 	return chart;
 }

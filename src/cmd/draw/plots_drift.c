@@ -28,7 +28,7 @@ static const struct {
 
 /* Computes the value of each series as a share of its limit, with its sign. */
 static void
-shares_of_control_limits(const struct drift_point *p,
+compute_drift_relative_to_limits(const struct drift_point *p,
     const struct drift_rule *rule, double share[static ARRAY_LEN(SHOWN)])
 {
 	const struct drift_chart *level = &p->chart[DRIFT_LEVEL];
@@ -46,9 +46,10 @@ note_drift_state(struct chart *chart, const struct routine *r)
 	const char *from = r->cut[0].when, *to = r->cut[r->n - 1].when;
 	FREED char *words = drift_in_words(r);
 	if (r->dated)
-		chart_note(chart, "cuts 1 to %zu: %s to %s", r->n, from, to);
-	chart_note(chart, "up: finer than predicted; down: coarser");
-	chart_note(chart, "%s", words);
+		chart_add_note(
+		    chart, "cuts 1 to %zu: %s to %s", r->n, from, to);
+	chart_add_note(chart, "up: finer than predicted; down: coarser");
+	chart_add_note(chart, "%s", words);
 }
 
 /* Draws the control charts that `drift` computes. */
@@ -66,7 +67,7 @@ plots_control_charts(
 	double low = -1.2, high = 1.2, last = (double)r->n + 1;
 	double share[ARRAY_LEN(SHOWN)];
 	for (size_t j = 0; j < r->n; j++) {
-		shares_of_control_limits(&r->point[j], &r->rule, share);
+		compute_drift_relative_to_limits(&r->point[j], &r->rule, share);
 		for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
 			low = fmin(low, share[i]);
 			high = fmax(high, share[i]);
@@ -78,24 +79,26 @@ plots_control_charts(
 		FREED char *label = xasprintf("%zu", j + 1);
 		axis_add_tick(&x, (double)(j + 1), label, 0);
 	}
-	struct chart *chart = site_chart(entry->site, x,
+	struct chart *chart = site_chart_new(entry->site, x,
 	    axis_new_linear(tr("share of the limit, -"), low, high),
 	    "routine cuts against their predictions");
-	chart_add_points(chart, SITE_CHART_LEVEL, 5,
+	chart_append_point_series(chart, SITE_CHART_LEVEL, 5,
 	    (double[]){0, last, 0, 0, last}, (double[]){1, 1, NAN, -1, -1},
 	    tr("limits"));
 	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++)
-		chart_add(chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));
+		chart_append_series(
+		    chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));
 	for (size_t j = 0; j < r->n; j++) {
-		shares_of_control_limits(&r->point[j], &r->rule, share);
+		compute_drift_relative_to_limits(&r->point[j], &r->rule, share);
 		for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
 			chart->series[i + 1]->x[j] = (double)(j + 1);
 			chart->series[i + 1]->y[j] = share[i];
 		}
 	}
 	if (r->first < r->n)
-		chart_add_rule(chart, SERIES_BREAK, (double)(r->since + 1),
-		    "began at about cut %zu", r->since + 1);
+		chart_add_vertical_rule(chart, SERIES_BREAK,
+		    (double)(r->since + 1), "began at about cut %zu",
+		    r->since + 1);
 	note_drift_state(chart, r);
 	control_charts_free(r);
 	return chart;

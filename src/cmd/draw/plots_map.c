@@ -29,8 +29,9 @@ static struct chart_series *
 add_empty_material_series(struct chart *chart, struct chart_series look,
     size_t most, bool named, const char *name)
 {
-	struct chart_series *series = chart_add(chart, look, most, "%s", name);
-	chart_add_point_names(series);
+	struct chart_series *series =
+	    chart_append_series(chart, look, most, "%s", name);
+	chart_allocate_point_names(series);
 	series->named = named;
 	series->n = 0;
 	return series;
@@ -38,7 +39,7 @@ add_empty_material_series(struct chart *chart, struct chart_series look,
 
 /* Adds the materials of one rock as a series of their own. */
 static void
-add_points_of_rock(
+add_material_series_of_rock(
     struct chart *chart, const struct material_list *list, const char *rock)
 {
 	struct chart_series look = site_chart_series_style(chart->n);
@@ -48,7 +49,7 @@ add_points_of_rock(
 	    rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
 		const struct material *m = &list->item[i];
-		if (text_same_folded(m->rock, rock))
+		if (text_is_same_folded(m->rock, rock))
 			add_material_point(series, &m->params, xstrdup(m->name),
 			    xstrdup(m->site), xstrdup(m->provenance));
 	}
@@ -56,10 +57,11 @@ add_points_of_rock(
 
 /* True for the first material of its rock in the list. */
 static bool
-is_first_of_rock(const struct material_list *list, size_t at)
+is_first_material_of_rock(const struct material_list *list, size_t at)
 {
 	for (size_t i = 0; i < at; i++)
-		if (text_same_folded(list->item[i].rock, list->item[at].rock))
+		if (text_is_same_folded(
+			list->item[i].rock, list->item[at].rock))
 			return false;
 	return true;
 }
@@ -79,7 +81,7 @@ has_parameter_on_bound(const struct entry *entry)
 /* Adds the loaded sites that have parameters: those with a parameter at its
  * bound or, unless `bound`, the others. */
 static void
-add_loaded_sites_to_map(
+add_loaded_sites_to_param_map(
     struct chart *chart, const struct session *s, bool bound)
 {
 	struct chart_series *series = NULL;
@@ -97,7 +99,7 @@ add_loaded_sites_to_map(
 				  : tr("loaded sites"));
 		add_material_point(series, &entry->params, xstrdup(entry->key),
 		    xstrdup(entry->site->name),
-		    site_source_clause(entry->site, ""));
+		    site_provenance_first_clause(entry->site, ""));
 	}
 }
 
@@ -114,13 +116,13 @@ list_every_nth_material(const struct session *s, struct material_list *list,
 	*apart = 1 + (n > 0 ? (n - 1) / MOST : 0);
 	const struct store_query query = {.apart = *apart};
 	bool ok = store_find_materials(s->store, &query, list, error);
-	material_add_table3(list);
+	material_add_table3_to_list(list);
 	return ok;
 }
 
 /* Returns the sources of the data on the map.  The caller frees them. */
 static char *
-map_sources_text(const struct session *s, size_t apart)
+material_map_sources_text(const struct session *s, size_t apart)
 {
 	char number[32];
 	struct sources all = {0};
@@ -135,7 +137,7 @@ map_sources_text(const struct session *s, size_t apart)
 		if (s->entry[i].has_params)
 			sources_add_site(
 			    &all, s->entry[i].key, s->entry[i].site);
-	FREED char *loaded = sources_end(&all);
+	FREED char *loaded = sources_text_and_clear(&all);
 	if (loaded[0] != '\0')
 		xappend_to_list(&about, "; ", tr("loaded sites: %s"), loaded);
 	return about;
@@ -153,15 +155,16 @@ plots_material_map(
 	(void)q;
 	if (!list_every_nth_material(s, &list, &apart, error))
 		return NULL;
-	FREED char *about = map_sources_text(s, apart);
+	FREED char *about = material_map_sources_text(s, apart);
 	struct chart *chart = chart_new(
 	    tr("materials by rock"), about, (struct axis){0}, (struct axis){0});
 	for (size_t i = 0; i < list.n; i++)
-		if (is_first_of_rock(&list, i))
-			add_points_of_rock(chart, &list, list.item[i].rock);
-	add_loaded_sites_to_map(chart, s, false);
-	add_loaded_sites_to_map(chart, s, true);
-	struct chart_extent e = chart_find_extent(chart);
+		if (is_first_material_of_rock(&list, i))
+			add_material_series_of_rock(
+			    chart, &list, list.item[i].rock);
+	add_loaded_sites_to_param_map(chart, s, false);
+	add_loaded_sites_to_param_map(chart, s, true);
+	struct chart_extent e = chart_compute_extent(chart);
 	chart->x = axis_new_linear("f_mat, kg/(J m)", 0, e.x[1]);
 	chart->y = axis_new_linear("e0_min, J m/kg", e.y[0], e.y[1]);
 	material_list_free(&list);

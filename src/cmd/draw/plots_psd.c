@@ -49,47 +49,49 @@ add_envelope_limit_series(
 	FREED double *x = xcalloc_doubles(spec->n);
 	FREED double *y = xcalloc_doubles(spec->n);
 	for (size_t i = 0; i < spec->n; i++) {
-		double mm = units_mm(spec->size[i]);
+		double mm = units_m_to_mm(spec->size[i]);
 		if (mm < chart->x.low || mm > chart->x.high || isnan(limit[i]))
 			continue;
 		x[n] = mm;
-		y[n++] = units_pct(limit[i]);
+		y[n++] = units_fraction_to_pct(limit[i]);
 	}
 	if (n == 0)
 		return;
 	FREED char *name =
 	    xasprintf("%s, %s", least ? tr("min") : tr("max"), spec->name);
-	chart_add_points(chart, LIMITS[least], n, x, y, name);
+	chart_append_point_series(chart, LIMITS[least], n, x, y, name);
 	chart_move_last_series_to_back(chart);
 }
 
 /* Adds the limits of the chosen envelope, if any, behind all curves.  notes:
  * name their source below the chart. */
 static void
-add_envelope_limits(struct chart *chart, const struct session *s, bool notes)
+draw_envelope_limits(struct chart *chart, const struct session *s, bool notes)
 {
 	const struct spec *spec = s->spec;
 	if (spec == NULL)
 		return;
 	add_envelope_limit_series(chart, spec, true);
 	add_envelope_limit_series(chart, spec, false);
-	FREED char *cut = session_spec_fraction_text(s);
+	FREED char *cut = session_envelope_size_fraction_text(s);
 	const char *source =
 	    spec->source[0] != '\0' ? spec->source : spec->name;
 	if (notes && cut[0] != '\0')
-		chart_note(chart, "limits of the fraction %s: %s", cut, source);
+		chart_add_note(
+		    chart, "limits of the fraction %s: %s", cut, source);
 	else if (notes)
-		chart_note(chart, "limits: %s", source);
+		chart_add_note(chart, "limits: %s", source);
 }
 
 /* Sets part->product, and nothing else in part, to the fraction to which the
  * chosen envelope applies, read off the prediction's curve.  Free with
  * prediction_free.  Returns false if the envelope is for the whole product. */
 static bool
-cut_product_to_envelope(const struct session *s, const struct entry *entry,
-    const struct prediction *whole, struct prediction *part)
+extract_fraction_for_envelope(const struct session *s,
+    const struct entry *entry, const struct prediction *whole,
+    struct prediction *part)
 {
-	struct fraction fraction = session_spec_fraction(s);
+	struct fraction fraction = session_envelope_size_fraction(s);
 	if (!fraction_is_screened(&fraction))
 		return false;
 	/* The sizes of the cut are included, so that the curve ends there. */
@@ -134,7 +136,7 @@ static struct axis
 difference_strip_axis(const struct chart *chart)
 {
 	struct axis axis = {.title = xstrdup(tr("difference, points"))};
-	struct chart_extent e = chart_find_extent(chart);
+	struct chart_extent e = chart_compute_extent(chart);
 	axis.high = round_up_axis_limit(fmax(-e.y[0], e.y[1]));
 	axis.low = -axis.high;
 	axis_add_signed_number(&axis, axis.low, 0);
@@ -149,11 +151,11 @@ add_difference_curve(struct chart *strip, const struct chart *chart,
     const struct chart_series *a, const struct chart_series *b,
     struct chart_series look)
 {
-	struct chart_series *s =
-	    chart_add(strip, look, a->n, "%s less %s", a->name, b->name);
+	struct chart_series *s = chart_append_series(
+	    strip, look, a->n, "%s less %s", a->name, b->name);
 	for (size_t i = 0; i < a->n; i++) {
 		s->x[i] = a->x[i];
-		s->y[i] = a->y[i] - chart_y_at(chart, b, a->x[i]);
+		s->y[i] = a->y[i] - chart_series_y_at_x(chart, b, a->x[i]);
 	}
 }
 
@@ -201,12 +203,12 @@ title_of_difference_strip(const struct chart_series *predicted,
 /* Adds the band of a prediction as differences from the prediction.  In the
  * chart above, the line often hides it. */
 static void
-add_band_of_differences(
+add_band_difference_series(
     struct chart *strip, const struct chart_series *predicted)
 {
-	struct chart_series *s =
-	    chart_add(strip, *predicted, predicted->n, "uncertainty band");
-	series_add_band(s);
+	struct chart_series *s = chart_append_series(
+	    strip, *predicted, predicted->n, "uncertainty band");
+	series_allocate_band(s);
 	for (size_t i = 0; i < s->n; i++) {
 		s->x[i] = predicted->x[i];
 		s->y[i] = NAN;
@@ -237,7 +239,7 @@ add_difference_strip(struct chart *chart, int rows, bool band)
 		}
 	}
 	if (strip->n > 0 && band && last->low != NULL)
-		add_band_of_differences(strip, last);
+		add_band_difference_series(strip, last);
 	free(strip->title);
 	strip->title = title_of_difference_strip(last, other, measured);
 	strip->strip = rows;
@@ -248,26 +250,26 @@ add_difference_strip(struct chart *chart, int rows, bool band)
 		chart_free(strip);
 }
 
-/* A function that reads a curve: chart_y_at at a size or chart_x_at at a
- * passing. */
+/* A function that reads a curve: chart_series_y_at_x at a size or
+ * chart_series_x_at_y at a passing. */
 typedef double curve_reader(
     const struct chart *, const struct chart_series *, double);
 
 /* Appends " feed 16.0 %" to a note, " predicted 33.1 % (31.6 to 34.5)" if the
  * curve has a band there, or " feed -" if it has no value. */
 static void
-append_curve_value(char **note, const struct chart *chart,
+append_curve_value_to_note(char **note, const struct chart *chart,
     const struct chart_series *s, curve_reader *read, double at,
     const struct figure *band)
 {
-	int digits = read == chart_y_at ? 1 : 2;
+	int digits = read == chart_series_y_at_x ? 1 : 2;
 	double own = read(chart, s, at);
 	if (isnan(own)) {
 		xappend(note, " %s -", s->name);
 		return;
 	}
 	xappend(note, " %s %.*f %s", s->name, digits, own,
-	    read == chart_y_at ? "%" : "mm");
+	    read == chart_series_y_at_x ? "%" : "mm");
 	if (s->low != NULL && isfinite(band->low) && isfinite(band->high))
 		xappend(note, tr(" (%.*f to %.*f)"), digits, band->low, digits,
 		    band->high);
@@ -280,9 +282,11 @@ find_crosshair_bands_of_pin(const struct plot_request *q,
     const struct prediction *p, struct figure band[static 2])
 {
 	for (size_t i = 0; i < p->product.n && p->low != NULL; i++)
-		if (fabs(units_mm(p->product.size[i]) - q->crosshair_mm) < 1e-9)
-			band[0] = (struct figure){
-			    NAN, units_pct(p->low[i]), units_pct(p->high[i])};
+		if (fabs(units_m_to_mm(p->product.size[i]) - q->crosshair_mm) <
+		    1e-9)
+			band[0] = (struct figure){NAN,
+			    units_fraction_to_pct(p->low[i]),
+			    units_fraction_to_pct(p->high[i])};
 	for (size_t k = 0; k < PSD_SIZES; k++)
 		if (fabs(q->level - 100 * PSD_PASSING[k]) < 1e-9)
 			band[1] = (struct figure){
@@ -321,7 +325,8 @@ add_crosshair(struct chart *chart, const struct session *s,
 {
 	double x = q->crosshair_mm, level = q->level;
 	struct figure band[2] = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
-	chart_add_rule(chart, SERIES_CROSSHAIR, x, "crosshair at %g mm", x);
+	chart_add_vertical_rule(
+	    chart, SERIES_CROSSHAIR, x, "crosshair at %g mm", x);
 	if (!(q->words & CHART_NOTES))
 		return;
 	if (p != NULL && p == q->made)
@@ -333,14 +338,15 @@ add_crosshair(struct chart *chart, const struct session *s,
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *of = chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		append_curve_value(&at, chart, of, chart_y_at, x, &band[0]);
-		append_curve_value(
-		    &sizes, chart, of, chart_x_at, level, &band[1]);
+		append_curve_value_to_note(
+		    &at, chart, of, chart_series_y_at_x, x, &band[0]);
+		append_curve_value_to_note(
+		    &sizes, chart, of, chart_series_x_at_y, level, &band[1]);
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
-	chart_note(chart, "%s", at);
-	chart_note(chart, "%s", sizes);
+	chart_add_note(chart, "%s", at);
+	chart_add_note(chart, "%s", sizes);
 }
 
 /* Adds a vertical line at the break size, and a note with P20, P50 and P80.
@@ -355,13 +361,13 @@ mark_break_size(struct chart *chart, const struct session *s,
 	FREED char *speed =
 	    answers_speed_text(q->asked.entry->site, p->speed, -1);
 	if (!(q->words & CHART_NOTES))
-		chart_add_rule(chart, series, mm, "%sbreak size",
+		chart_add_vertical_rule(chart, series, mm, "%sbreak size",
 		    series == SERIES_OTHER ? tr("pin ") : "");
 	else if (series == SERIES_OTHER && q->beside != NULL)
-		chart_add_rule(
+		chart_add_vertical_rule(
 		    chart, series, mm, "%s: break size %.2f mm", q->beside, mm);
 	else
-		chart_add_rule(
+		chart_add_vertical_rule(
 		    chart, series, mm, "break size %.2f mm at %s", mm, speed);
 	char p20[32], p50[32], p80[32];
 	char *const words[] = {p20, p50, p80};
@@ -376,11 +382,11 @@ mark_break_size(struct chart *chart, const struct session *s,
 	if (whose != NULL && p->low != NULL)
 		xappend_to_list(
 		    &text, "; ", "%s", correction_in_words(s, whose));
-	chart_note(chart, "%s", text);
+	chart_add_note(chart, "%s", text);
 	if (whose == NULL || origin_site_key(whose) == whose->key)
 		return;
-	FREED char *from = origin_params_from_sentence(whose);
-	chart_note(chart, "%s%s",
+	FREED char *from = origin_params_source_sentence(whose);
+	chart_add_note(chart, "%s%s",
 	    origin_is_other_site(whose) ? tr("warning: ") : "", from);
 }
 
@@ -391,25 +397,25 @@ shade_prediction_band(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *p)
 {
 	if (p->low == NULL) {
-		chart_note(chart, "%s", band_why_missing(s, entry));
+		chart_add_note(chart, "%s", band_why_missing(s, entry));
 		return;
 	}
 	struct chart_series *series = chart->series[chart->n - 1];
 	double level = 100 * settings_band_probability(&s->set), widest = 0;
-	series_add_band(series);
+	series_allocate_band(series);
 	for (size_t i = 0; i < series->n; i++) {
-		series->low[i] = units_pct(p->low[i]);
-		series->high[i] = units_pct(p->high[i]);
+		series->low[i] = units_fraction_to_pct(p->low[i]);
+		series->high[i] = units_fraction_to_pct(p->high[i]);
 		widest = fmax(widest, series->high[i] - series->low[i]);
 	}
 	const double *range = p->range[1];
 	if (isfinite(range[0]) && isfinite(range[1]))
-		chart_note(chart,
+		chart_add_note(chart,
 		    "shaded: %.0f %% uncertainty band, at most %.1f points "
 		    "wide; P50 %.2f to %.2f mm",
 		    level, widest, 1000 * range[0], 1000 * range[1]);
 	else
-		chart_note(chart,
+		chart_add_note(chart,
 		    "shaded: %.0f %% uncertainty band, at most %.1f points "
 		    "wide",
 		    level, widest);
@@ -449,7 +455,7 @@ struct second_prediction {
  * parameters of the first, or NULL; speed: of the first.  Returns false with an
  * error if the site beside is not loaded or has no parameters. */
 static bool
-find_second_prediction(struct session *s, const struct plot_request *q,
+compute_second_prediction(struct session *s, const struct plot_request *q,
     const struct params *own, double speed, struct second_prediction *second,
     struct error *error)
 {
@@ -474,8 +480,9 @@ find_second_prediction(struct session *s, const struct plot_request *q,
 	}
 	if (own == NULL || (!beside && isnan(q->other_speed)))
 		return true;
-	if (q->other_feed != 0 && !feed_find_run_at_speed(second->whose->site,
-				      q->other_feed, &feed, error))
+	if (q->other_feed != 0 &&
+	    !feed_find_run_sampled_at_speed(
+		second->whose->site, q->other_feed, &feed, error))
 		return false;
 	second->made = predict_for_plot(s, q, second->whose, own,
 	    isnan(q->other_speed) ? speed : q->other_speed, feed);
@@ -504,7 +511,7 @@ add_second_predicted_curve(struct chart *chart, const struct session *s,
 /* Adds break sizes, notes and the band for the two predictions, which are the
  * last series of the chart. */
 static void
-note_prediction_curves(struct chart *chart, struct session *s,
+add_break_sizes_and_bands(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct prediction *one,
     const struct second_prediction *two, bool shade)
 {
@@ -535,20 +542,22 @@ add_feed_curve(struct chart *chart, const struct site *site, size_t run)
 
 /* Adds the measured products or, if the question has a fraction, that fraction
  * of them; nothing if it has another feed or machine.  Returns the most by
- * which a product was moved to the feed, see largest_move_to_feed. */
+ * which a product was moved to the feed, see largest_change_by_moving_to_feed.
+ */
 static double
-add_measured_curves(struct chart *chart, const struct session *s,
+add_measured_curves_moved_to_feed(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params, double speed)
 {
 	const struct site *site = q->asked.entry->site;
 	double moved = 0;
 	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
-		if (!site_run_is_near_speed(site, i, speed, SITE_CHART_SPEEDS))
+		if (!site_run_is_among_nearest(
+			site, i, speed, SITE_CHART_SPEEDS))
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, i, !q->asked.entry->train[i]);
-		look.compared = site_run_is_near_speed(site, i, speed, 1);
-		const struct psd *product = product_moved_to_feed(
+		look.compared = site_run_is_among_nearest(site, i, speed, 1);
+		const struct psd *product = measured_product_moved_to_feed(
 		    s, q->asked.entry, params, i, q->asked.feed);
 		struct psd part = fraction_is_screened(&q->asked.fraction)
 				      ? screened_fraction_of_product(
@@ -559,8 +568,9 @@ add_measured_curves(struct chart *chart, const struct session *s,
 		site_chart_add_psd(chart, look, &part, NULL,
 		    xasprintf(tr("measured %s%s"), at, site->run[i].repeat));
 		psd_free(&part);
-		moved = fmax(moved, largest_move_to_feed(s, q->asked.entry,
-					params, i, q->asked.feed));
+		moved =
+		    fmax(moved, largest_change_by_moving_to_feed(s,
+				    q->asked.entry, params, i, q->asked.feed));
 	}
 	return moved;
 }
@@ -568,13 +578,13 @@ add_measured_curves(struct chart *chart, const struct session *s,
 /* Adds the fraction of the product to which the chosen envelope applies, if
  * any. */
 static void
-add_curve_cut_to_envelope(struct chart *chart, const struct session *s,
+add_curve_of_envelope_fraction(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *whole)
 {
 	struct prediction part;
-	if (!cut_product_to_envelope(s, entry, whole, &part))
+	if (!extract_fraction_for_envelope(s, entry, whole, &part))
 		return;
-	FREED char *words = session_spec_fraction_text(s);
+	FREED char *words = session_envelope_size_fraction_text(s);
 	add_product_curve(
 	    chart, &part, xasprintf(tr("fraction %s"), words), PART);
 	prediction_free(&part);
@@ -594,7 +604,7 @@ add_first_predicted_curve(struct chart *chart, const struct session *s,
 	    q->words & CHART_NOTES
 		? xasprintf(tr("predicted %s"), speed)
 		: xasprintf(tr("predicted%s"),
-		      correction_in_legend(s, q->asked.entry, p)),
+		      correction_legend_text(s, q->asked.entry, p)),
 	    look);
 }
 
@@ -614,19 +624,19 @@ struct psd_plot {
  * because the measured curves are still worth a look, unless a generation is
  * requested. */
 static bool
-find_plotted_predictions(struct session *s, const struct plot_request *q,
+compute_plotted_predictions(struct session *s, const struct plot_request *q,
     struct psd_plot *p, struct error *error)
 {
 	const struct entry *entry = q->asked.entry;
 	*p = (struct psd_plot){.speed = isnan(q->asked.speed)
 					    ? site_middle_speed(entry->site)
 					    : q->asked.speed};
-	bool known = find_params_to_plot(s, q, &p->params, &p->unknown);
+	bool known = find_param_values_for_plot(s, q, &p->params, &p->unknown);
 	if (!known && q->generation > 0) {
 		*error = p->unknown;
 		return false;
 	}
-	if (!find_second_prediction(
+	if (!compute_second_prediction(
 		s, q, known ? &p->params : NULL, p->speed, &p->two, error))
 		return false;
 	p->one = q->made;
@@ -645,25 +655,25 @@ fill_psd_chart(struct chart *chart, struct session *s,
 	const struct entry *entry = q->asked.entry;
 	const struct prediction *one = p->one;
 	add_feed_curve(chart, entry->site, q->asked.feed);
-	double moved = add_measured_curves(
+	double moved = add_measured_curves_moved_to_feed(
 	    chart, s, q, one != NULL ? &p->params : NULL, p->speed);
 	if (one != NULL && !fraction_is_screened(&q->asked.fraction))
-		add_curve_cut_to_envelope(chart, s, entry, one);
+		add_curve_of_envelope_fraction(chart, s, entry, one);
 	add_second_predicted_curve(chart, s, q, &p->two);
 	if (one != NULL)
 		add_first_predicted_curve(chart, s, q, one);
 	site_chart_set_sieve_axis(chart);
-	add_envelope_limits(chart, s, (q->words & CHART_NOTES) != 0);
+	draw_envelope_limits(chart, s, (q->words & CHART_NOTES) != 0);
 	bool own = memcmp(&entry->params, &p->params, sizeof p->params) == 0;
-	note_prediction_curves(chart, s, q, one, &p->two, q->band && own);
+	add_break_sizes_and_bands(chart, s, q, one, &p->two, q->band && own);
 	if (one == NULL)
-		chart_note(chart, "no prediction: %s", p->unknown.text);
+		chart_add_note(chart, "no prediction: %s", p->unknown.text);
 	else if (q->strip > 0)
 		/* The screen's band would change many cells at each step. */
 		add_difference_strip(
 		    chart, q->strip, (q->words & CHART_NOTES) != 0);
 	site_chart_note_run_marks(chart, entry->site);
-	site_chart_note_feed_adjustment(chart, moved);
+	site_chart_note_moved_products(chart, moved);
 	if (!isnan(q->crosshair_mm))
 		add_crosshair(chart, s, q, &p->params, one);
 }
@@ -673,11 +683,12 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct site *site = q->asked.entry->site;
 	struct psd_plot p;
-	if (!find_plotted_predictions(s, q, &p, error))
+	if (!compute_plotted_predictions(s, q, &p, error))
 		return NULL;
-	FREED char *fraction = screened_title_suffix(&q->asked.fraction);
+	FREED char *fraction =
+	    screened_fraction_title_suffix(&q->asked.fraction);
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, p.speed, NAN);
-	struct chart *chart = site_chart(site, (struct axis){0},
+	struct chart *chart = site_chart_new(site, (struct axis){0},
 	    axis_new_percent(tr("passing, %")),
 	    p.one != NULL                   ? N_("product at %.*f m/s%s%s")
 	    : site_count_products(site) > 0 ? N_("feed and products")
@@ -697,7 +708,7 @@ plots_sweep(
 	const struct site *site = q->asked.entry->site;
 	size_t n = q->asked.n_at;
 	struct params params;
-	if (!find_params_to_plot(s, q, &params, error))
+	if (!find_param_values_for_plot(s, q, &params, error))
 		return NULL;
 	if (n > MOST) {
 		error_set(error, ERROR_USAGE,
@@ -709,8 +720,9 @@ plots_sweep(
 	FREED double *usual =
 	    n == 0 ? answers_list_few_round_speeds(s, site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->asked.at;
-	FREED char *fraction = screened_title_suffix(&q->asked.fraction);
-	struct chart *chart = site_chart(site, (struct axis){0},
+	FREED char *fraction =
+	    screened_fraction_title_suffix(&q->asked.fraction);
+	struct chart *chart = site_chart_new(site, (struct axis){0},
 	    axis_new_percent(tr("passing, %")), "products at %zu speeds%s", n,
 	    fraction);
 	site_chart_add_psd(chart, SITE_CHART_FEED,

@@ -27,7 +27,7 @@
 /* The quantities [n] to draw, the limits on them, and the range of speeds, m/s.
  * Quantities that name no fraction have that of the question.  moved: the most
  * by which a measured product was moved to the feed, see
- * largest_move_to_feed. */
+ * largest_change_by_moving_to_feed. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	const struct question *asked;
@@ -41,7 +41,7 @@ struct drawn {
 /* Chooses sieves whose passings are well apart at a speed: those nearest to 80,
  * 50 and 20 %, and the finest one. */
 static void
-choose_response_sieves(struct session *s, struct drawn *d)
+choose_sieves_for_response_plot(struct session *s, struct drawn *d)
 {
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
 	struct prediction p = forecast_product(
@@ -68,7 +68,7 @@ choose_response_sieves(struct session *s, struct drawn *d)
 /* Adds a quantity unless it is there already.  Returns false if there are too
  * many. */
 static bool
-add_quantity_once(struct drawn *d, const struct quantity *q)
+add_drawn_quantity_once(struct drawn *d, const struct quantity *q)
 {
 	for (size_t i = 0; i < d->n; i++)
 		if (quantity_is_same(&d->q[i], q))
@@ -90,7 +90,7 @@ error_too_many_quantities(struct error *error)
 
 /* Reads the quantities and limits, and checks that the feed covers them. */
 static bool
-parse_drawn_quantities(struct session *s, const char *of_words,
+parse_quantities_to_plot(struct session *s, const char *of_words,
     const char *limits, struct drawn *d, struct error *error)
 {
 	const struct psd *feed =
@@ -111,13 +111,13 @@ parse_drawn_quantities(struct session *s, const char *of_words,
 		return false;
 	bool ok = true;
 	for (size_t i = 0; i < n && ok; i++)
-		ok = add_quantity_once(d, &of[i]) ||
+		ok = add_drawn_quantity_once(d, &of[i]) ||
 		     error_too_many_quantities(error);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
-		ok = add_quantity_once(d, &d->limits.at[i].quantity) ||
+		ok = add_drawn_quantity_once(d, &d->limits.at[i].quantity) ||
 		     error_too_many_quantities(error);
 	if (ok && d->n == 0)
-		choose_response_sieves(s, d);
+		choose_sieves_for_response_plot(s, d);
 	return ok;
 }
 
@@ -146,13 +146,13 @@ add_measured_quantity_marks(struct chart *chart, const struct session *s,
 		return;
 	FREED char *name = quantities_name(q);
 	struct chart_series *points =
-	    chart_add(chart, look, site->n_run, "measured %s", name);
+	    chart_append_series(chart, look, site->n_run, "measured %s", name);
 	points->n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
 		double speed = site->run[r].speed;
 		if (speed < d->from || speed > d->to)
 			continue;
-		const struct psd *product = product_moved_to_feed(
+		const struct psd *product = measured_product_moved_to_feed(
 		    s, entry, &entry->params, r, d->asked->feed);
 		double value = product->n > 0
 				   ? screened_quantity_of_product(product, q)
@@ -163,14 +163,14 @@ add_measured_quantity_marks(struct chart *chart, const struct session *s,
 		points->y[points->n++] =
 		    quantities_value_in_shown_unit(q, value);
 		d->moved =
-		    fmax(d->moved, largest_move_to_feed(s, entry,
+		    fmax(d->moved, largest_change_by_moving_to_feed(s, entry,
 				       &entry->params, r, d->asked->feed));
 	}
 }
 
 /* Adds a horizontal line at each limit on a quantity. */
 static void
-add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
+add_limit_lines_to_chart(struct chart *chart, const struct drawn *d, size_t i)
 {
 	struct chart_series look = site_chart_series_style(i);
 	look.line = CHART_DOTTED;
@@ -184,8 +184,8 @@ add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 		FREED char *words = conditions_limit_text(
 		    d->limits.at, (struct wanted_limit){k / 2, k % 2 == 1});
 		double y = quantities_value_in_shown_unit(&c->quantity, limit);
-		chart_add_points(chart, look, 2, (double[]){d->from, d->to},
-		    (double[]){y, y}, words);
+		chart_append_point_series(chart, look, 2,
+		    (double[]){d->from, d->to}, (double[]){y, y}, words);
 	}
 }
 
@@ -193,7 +193,7 @@ add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 static void
 set_round_y_axis(struct chart *chart)
 {
-	struct chart_extent e = chart_find_extent(chart);
+	struct chart_extent e = chart_compute_extent(chart);
 	bool any = isfinite(e.y[0]);
 	struct axis axis =
 	    axis_new_linear(chart->y.title, any ? e.y[0] : 0, any ? e.y[1] : 1);
@@ -206,18 +206,20 @@ static void
 mark_measured_speeds(struct chart *chart, const struct entry *entry)
 {
 	double slowest, fastest;
-	if (!origin_known_speed_range(entry, &slowest, &fastest))
+	if (!origin_training_speed_range(entry, &slowest, &fastest))
 		return;
-	FREED char *words = answers_known_speeds_text(entry, slowest, fastest);
+	FREED char *words =
+	    answers_training_range_text(entry, slowest, fastest);
 	if (!(fastest > slowest)) {
-		chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
+		chart_add_vertical_rule(
+		    chart, SERIES_BREAK, slowest, "%s", words);
 		return;
 	}
 	FREED char *from = answers_speed_text(entry->site, slowest, -1);
 	FREED char *to = answers_speed_text(entry->site, fastest, -1);
-	chart_add_rule(chart, SERIES_BREAK, slowest, "%.*s from %s",
+	chart_add_vertical_rule(chart, SERIES_BREAK, slowest, "%.*s from %s",
 	    (int)strcspn(words, ","), words, from);
-	chart_add_rule(chart, SERIES_BREAK, fastest, "to %s", to);
+	chart_add_vertical_rule(chart, SERIES_BREAK, fastest, "to %s", to);
 }
 
 /* Marks the ranges of speeds at which all conditions hold, and the best
@@ -231,14 +233,15 @@ mark_speed_window(
 		const struct speed_range *in = &w->inside[k];
 		FREED char *from = answers_speed_text(site, in->from, 1);
 		FREED char *to = answers_speed_text(site, in->to, 1);
-		chart_add_rule(
+		chart_add_vertical_rule(
 		    chart, SERIES_OTHER, in->from, "limits met from %s", from);
-		chart_add_rule(chart, SERIES_OTHER, in->to, "to %s", to);
+		chart_add_vertical_rule(
+		    chart, SERIES_OTHER, in->to, "to %s", to);
 	}
 	if (d->limits.n == 0 || !isfinite(w->margin.passing))
 		return;
 	FREED char *best = answers_speed_text(site, w->best, 1);
-	chart_add_rule(chart, SERIES_CROSSHAIR, w->best, "%s %s",
+	chart_add_vertical_rule(chart, SERIES_CROSSHAIR, w->best, "%s %s",
 	    w->n_inside > 0 ? tr("best") : tr("nearest"), best);
 }
 
@@ -249,16 +252,16 @@ note_certainty_of_window(struct chart *chart, const struct site *site,
 	FREED char *rpm =
 	    rotor_speed_rpm_text(site->rotor, w->sure[0], w->sure[1]);
 	if (w->n_inside == 0)
-		chart_note(chart, "at no speed are all limits met");
+		chart_add_note(chart, "at no speed are all limits met");
 	if (isnan(w->best_certain))
 		return;
 	if (isfinite(w->sure[0]))
-		chart_note(chart,
+		chart_add_note(chart,
 		    "all limits met with %.0f %% certainty from %.1f to %.1f "
 		    "m/s%s",
 		    100 * level, w->sure[0], w->sure[1], rpm);
 	else
-		chart_note(chart,
+		chart_add_note(chart,
 		    "at no speed are all limits met with %.0f %% certainty",
 		    100 * level);
 }
@@ -283,10 +286,10 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 	char *title = xasprintf(tr("value, %s"), unit[0] != '\0' ? unit : "-");
 	for (size_t i = 0; i < ARRAY_LEN(TITLES); i++)
 		if (strcmp(TITLES[i].unit, unit) == 0) {
-			xreplace(&title, xstrdup(tr(TITLES[i].title)));
+			xfree_and_set(&title, xstrdup(tr(TITLES[i].title)));
 			about = tr(TITLES[i].about);
 		}
-	struct chart *chart = site_chart(site,
+	struct chart *chart = site_chart_new(site,
 	    axis_new_linear(tr("tip speed, m/s"), d->from, d->to),
 	    (struct axis){.title = title},
 	    answers_is_sheet_in_rpm(site) ? N_("%s against rotor speed")
@@ -296,21 +299,22 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 	for (size_t i = 0; i < d->n; i++)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
 			FREED char *name = quantities_name(&d->q[i]);
-			d->line[i] = chart_add(
+			d->line[i] = chart_append_series(
 			    chart, quantity_line_style(i), POINTS, "%s", name);
 			add_measured_quantity_marks(
 			    chart, s, d->asked->entry, d, i);
-			add_limit_lines(chart, d, i);
+			add_limit_lines_to_chart(chart, d, i);
 		}
 	mark_measured_speeds(chart, d->asked->entry);
 	return chart;
 }
 
 static void
-fill_quantity_lines(struct session *s, struct drawn *d, struct chart *first)
+fill_quantity_chart_lines(
+    struct session *s, struct drawn *d, struct chart *first)
 {
 	struct forecast *f = forecast_open(s, d->asked, d->q, d->n);
-	site_chart_fill_speed_lines(f, d->n, d->from, d->to, d->line);
+	site_chart_fill_forecast_by_speed(f, d->n, d->from, d->to, d->line);
 	forecast_close(f);
 	for (struct chart *c = first; c != NULL; c = c->below)
 		set_round_y_axis(c);
@@ -332,7 +336,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 			next = &last->below;
 		}
 	}
-	fill_quantity_lines(s, d, first);
+	fill_quantity_chart_lines(s, d, first);
 	if (d->limits.n > 0) {
 		struct conditions_search wanted =
 		    conditions_open_search(s, d->asked, &d->limits, NULL);
@@ -347,18 +351,18 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 	}
 	FREED char *feed = feed_sampling_text(entry->site, d->asked->feed);
 	if (feed != NULL)
-		chart_note(last, "feed: %s", feed);
-	site_chart_note_feed_adjustment(last, d->moved);
+		chart_add_note(last, "feed: %s", feed);
+	site_chart_note_moved_products(last, d->moved);
 	if (first->series[0]->low != NULL)
-		chart_note(last, "shaded: %.0f %% uncertainty band",
+		chart_add_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_band_probability(&s->set));
 	else
-		chart_note(last, "%s", band_why_missing(s, entry));
+		chart_add_note(last, "%s", band_why_missing(s, entry));
 	/* The light at the middle speed, where it is at its best.  The lines
 	 * reach beyond the measured speeds, which are marked. */
 	FREED char *light = trust_in_words_at_speed(
 	    s, entry, site_middle_speed(entry->site), d->asked->feed);
-	chart_note(last, "%s", light);
+	chart_add_note(last, "%s", light);
 	for (struct chart *c = first; c != NULL; c = c->below)
 		site_chart_show_speeds_in_rpm(c, entry->site);
 	return first;
@@ -367,7 +371,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 /* Finds the range to draw: from the slowest of speeds= to the fastest, or,
  * without speeds=, the range of the settings. */
 static bool
-find_range_of_speeds(const struct session *s, const struct question *asked,
+find_speed_range_to_plot(const struct session *s, const struct question *asked,
     double *from, double *to, struct error *error)
 {
 	settings_default_speed_range(&s->set, asked->entry->site, from, to);
@@ -393,9 +397,9 @@ plots_response(
 	struct chart *chart = NULL;
 	if (!answers_require_params(s, entry, error))
 		return NULL;
-	if (!find_range_of_speeds(s, &q->asked, &d.from, &d.to, error))
+	if (!find_speed_range_to_plot(s, &q->asked, &d.from, &d.to, error))
 		return NULL;
-	if (parse_drawn_quantities(s, q->of, q->limits, &d, error))
+	if (parse_quantities_to_plot(s, q->of, q->limits, &d, error))
 		chart = make_chart_for_each_unit(s, &d);
 	conditions_free(&d.limits);
 	return chart;

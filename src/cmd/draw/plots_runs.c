@@ -63,7 +63,7 @@ add_predicted_product_curve(struct chart *chart, const struct session *s,
     size_t feed, struct chart_series look, const char *repeat)
 {
 	struct prediction p = predict_with_model_alone(entry->site, params,
-	    model_settings_of_answer(s, entry), speed, feed);
+	    model_settings_with_scenario(s, entry), speed, feed);
 	FREED char *at = answers_speed_text(entry->site, speed, -1);
 	site_chart_add_psd(chart, look, &p.product, NULL,
 	    xasprintf(tr("predicted %s%s"), at, repeat));
@@ -112,7 +112,7 @@ add_predicted_curves_at_speeds(struct chart *chart, const struct session *s,
 	}
 	FREED char *words = feed_sampling_text(site, q->asked.feed);
 	if (q->asked.n_at > 0 && words != NULL)
-		chart_note(
+		chart_add_note(
 		    chart, "feed at speeds that were not measured: %s", words);
 }
 
@@ -145,12 +145,13 @@ add_curves_of_all_runs(struct chart *chart, const struct session *s,
 	add_distinct_feed_curves(
 	    chart, site, q->asked.entry->site->with[0] != '\0');
 	for (size_t i = 0; i < site->n_run; i++)
-		if (site_run_is_near_speed(site, i, middle, SITE_CHART_SPEEDS))
+		if (site_run_is_among_nearest(
+			site, i, middle, SITE_CHART_SPEEDS))
 			add_run_and_predicted_curve(chart, s, entry, params, i);
 	site_chart_note_run_marks(chart, site);
 	if (params == NULL)
 		return;
-	chart_note(chart,
+	chart_add_note(chart,
 	    site->individual_feeds
 		? N_("predicted: the model alone, each run from its own feed")
 		: N_("predicted: the model alone"));
@@ -167,7 +168,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	const struct site *site = entry_without_scenario(q->asked.entry)->site;
 	struct params params;
 	struct error unknown = {0};
-	bool known = find_params_to_plot(s, q, &params, &unknown);
+	bool known = find_param_values_for_plot(s, q, &params, &unknown);
 	if (has_bad_plot_speed(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->asked.n_at > 0)) {
@@ -176,13 +177,13 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	}
 	size_t n;
 	FREED double *size = site_all_sieves(site, &n);
-	struct chart *chart = site_chart(site, site_chart_sieve_axis(size, n),
-	    axis_new_percent(tr("passing, %")),
+	struct chart *chart = site_chart_new(site,
+	    site_chart_sieve_axis(size, n), axis_new_percent(tr("passing, %")),
 	    site_count_products(site) == 0 ? N_("feed")
 	    : known ? N_("products measured and predicted")
 		    : N_("feed and products"));
 	add_curves_of_all_runs(chart, s, q, known ? &params : NULL);
 	if (!known)
-		chart_note(chart, "no prediction: %s", unknown.text);
+		chart_add_note(chart, "no prediction: %s", unknown.text);
 	return chart;
 }

@@ -9,7 +9,7 @@
 
 /* The site's calibration in progress or else its last one; n is 0 if there is
  * neither.  generation [n]: its generations.  site, train: the data fitted;
- * weight: see calibration_sum_of_weights; best, misfit: the best so far;
+ * weight: see calibration_sum_squared_weights; best, misfit: the best so far;
  * polished: the polish has improved the best since the last generation; runs:
  * it is in progress.  All pointers are borrowed. */
 struct search_shown {
@@ -23,11 +23,11 @@ struct search_shown {
 	struct params best;
 	bool polished, runs;
 };
-struct search_shown search_shown_of_site(
+struct search_shown search_of_site_to_show(
     const struct session *s, const struct entry *entry);
 
 /* True if a calibration of the site is in progress. */
-bool search_shown_is_running(
+bool is_calibration_of_site_running(
     const struct session *s, const struct entry *entry);
 
 /* Returns a misfit as RMSE, points, or NAN if it is not finite. */
@@ -36,11 +36,12 @@ double misfit_as_rmse_points(const struct search_shown *past, double misfit);
 /* Sets the parameters to draw: those of the requested generation, else the best
  * so far of a calibration in progress, else the site's.  Returns false with an
  * error if there are none. */
-bool find_params_to_plot(const struct session *s,
+bool find_param_values_for_plot(const struct session *s,
     const struct plot_request *request, struct params *params,
     struct error *error);
 
-plot_make plots_search_residuals, plots_search_convergence, plots_search_spread;
+plot_make plots_candidate_residuals, plots_search_convergence,
+    plots_search_param_spread;
 
 /* Parameter j, as reported, and its bounds; in the gauge these are -1 and 1,
  * whatever was set (D4).  p10, p90: of the candidates; best: of the best
@@ -55,7 +56,7 @@ struct param_span param_span_of_generation(struct session *s,
 
 /* Returns a sentence on the state of the search at a generation, which must
  * exist (0: now).  The caller frees it. */
-char *search_progress_text(
+char *fit_search_progress_text(
     struct session *s, const struct search_shown *past, size_t generation);
 
 #endif

@@ -17,7 +17,7 @@
 #include "io/sitefile/units.h"
 
 struct chart *
-site_chart(const struct site *site, struct axis x, struct axis y,
+site_chart_new(const struct site *site, struct axis x, struct axis y,
     const char *format, ...)
 {
 	va_list ap;
@@ -26,8 +26,9 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 		   *label = session_site_label(site);
 	va_end(ap);
 	FREED char *title = xasprintf("%s: %s", label, words);
-	FREED char *clause = site_source_clause(site, "provenance not stated"),
-		   *about = site_provenance_in_words(clause);
+	FREED char *clause = site_provenance_first_clause(
+		       site, "provenance not stated"),
+		   *about = site_translate_provenance(clause);
 	return chart_new(title, about, x, y);
 }
 
@@ -36,7 +37,7 @@ site_chart_sieve_axis(const double *size, size_t n)
 {
 	FREED double *mm = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
-		mm[i] = units_mm(size[i]);
+		mm[i] = units_m_to_mm(size[i]);
 	return axis_new_sieves(tr("size, mm"), mm, n);
 }
 
@@ -44,8 +45,8 @@ static void
 fill_series_from_psd(struct chart_series *s, const struct psd *psd)
 {
 	for (size_t i = 0; i < psd->n; i++) {
-		s->x[i] = units_mm(psd->size[i]);
-		s->y[i] = units_pct(psd->passing[i]);
+		s->x[i] = units_m_to_mm(psd->size[i]);
+		s->y[i] = units_fraction_to_pct(psd->passing[i]);
 	}
 }
 
@@ -53,12 +54,13 @@ void
 site_chart_add_psd(struct chart *chart, struct chart_series look,
     const struct psd *psd, const struct psd *finer, char *name)
 {
-	struct chart_series *s = chart_add(chart, look, psd->n, "%s", name);
+	struct chart_series *s =
+	    chart_append_series(chart, look, psd->n, "%s", name);
 	s->psd = true;
 	fill_series_from_psd(s, psd);
 	if (finer != NULL)
 		fill_series_from_psd(
-		    chart_add_finer_points(s, finer->n), finer);
+		    chart_allocate_finer_points(s, finer->n), finer);
 	free(name);
 }
 
@@ -77,11 +79,11 @@ site_chart_set_sieve_axis(struct chart *chart)
 }
 
 void
-site_chart_set_figure_point(
+site_chart_set_point_with_band(
     struct chart_series *s, size_t k, double x, struct figure at)
 {
 	if (s->low == NULL)
-		series_add_band(s);
+		series_allocate_band(s);
 	s->x[k] = x;
 	s->y[k] = at.value;
 	s->low[k] = at.low;
@@ -89,7 +91,7 @@ site_chart_set_figure_point(
 }
 
 void
-site_chart_finish_band(struct chart_series *s)
+site_chart_close_band_at_gaps(struct chart_series *s)
 {
 	bool band = false;
 	for (size_t k = 0; k < s->n; k++) {
@@ -98,11 +100,11 @@ site_chart_finish_band(struct chart_series *s)
 		s->high[k] = isnan(s->high[k]) ? s->y[k] : s->high[k];
 	}
 	if (!band)
-		series_drop_band(s);
+		series_remove_band(s);
 }
 
 void
-site_chart_fill_speed_lines(struct forecast *f, size_t n, double from,
+site_chart_fill_forecast_by_speed(struct forecast *f, size_t n, double from,
     double to, struct chart_series *const *line)
 {
 	size_t points = line[0]->n;
@@ -111,11 +113,11 @@ site_chart_fill_speed_lines(struct forecast *f, size_t n, double from,
 		    from + (to - from) * (double)k / (double)(points - 1);
 		forecast_set_speed(f, speed);
 		for (size_t i = 0; i < n; i++)
-			site_chart_set_figure_point(line[i], k, speed,
+			site_chart_set_point_with_band(line[i], k, speed,
 			    forecast_value_in_shown_unit(f, i));
 	}
 	for (size_t i = 0; i < n; i++)
-		site_chart_finish_band(line[i]);
+		site_chart_close_band_at_gaps(line[i]);
 }
 
 void
@@ -179,7 +181,7 @@ site_chart_run_style(const struct site *site, size_t run, bool held_out)
 	return (struct chart_series){
 	    .series = (enum series)(SERIES_MEASURED_1 + i % COLOURS),
 	    .line = CHART_MARKS,
-	    .mark = mark_character_at(i, held_out),
+	    .mark = nth_mark_character(i, held_out),
 	    .fine = true};
 }
 
@@ -190,20 +192,21 @@ site_chart_note_run_marks(struct chart *chart, const struct site *site)
 	bool hollow = false;
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *s = chart->series[i];
-		hollow =
-		    hollow || (s->fine && mark_of_character(s->mark)->hollow);
+		hollow = hollow ||
+			 (s->fine && point_mark_of_character(s->mark)->hollow);
 	}
 	if (hollow)
-		chart_note(chart, "hollow marks: held out from the fit");
+		chart_add_note(chart, "hollow marks: held out from the fit");
 	if (left_out > 0)
-		chart_note(chart, "%zu measured speeds not drawn", left_out);
+		chart_add_note(
+		    chart, "%zu measured speeds not drawn", left_out);
 }
 
 void
-site_chart_note_feed_adjustment(struct chart *chart, double most)
+site_chart_note_moved_products(struct chart *chart, double most)
 {
 	if (most > MOVED_MENTIONED)
-		chart_note(chart, "measured products moved to this feed");
+		chart_add_note(chart, "measured products moved to this feed");
 }
 
 size_t
@@ -217,7 +220,7 @@ site_chart_count_speeds_left_out(const struct site *site)
 }
 
 struct fraction
-session_spec_fraction(const struct session *s)
+session_envelope_size_fraction(const struct session *s)
 {
 	const struct spec *spec = s->spec;
 	return (struct fraction){.fine = spec != NULL ? spec->cut[0] : 0,
@@ -226,9 +229,9 @@ session_spec_fraction(const struct session *s)
 }
 
 char *
-session_spec_fraction_text(const struct session *s)
+session_envelope_size_fraction_text(const struct session *s)
 {
-	struct fraction fraction = session_spec_fraction(s);
+	struct fraction fraction = session_envelope_size_fraction(s);
 	return fraction_is_screened(&fraction)
 		   ? quantities_fraction_text(&fraction)
 		   : xstrdup("");

@@ -10,8 +10,9 @@
 
 /* Returns a chart titled "Tierp, Granite, 11.2 mm: ..", with the source of the
  * site's data.  Takes ownership of the axes. */
-struct chart *site_chart(const struct site *site, struct axis x, struct axis y,
-    const char *format, ...) __attribute__((format(printf, 4, 5)));
+struct chart *site_chart_new(const struct site *site, struct axis x,
+    struct axis y, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* Returns an axis with a tick at each sieve; size [n]: the sieves, m. */
 struct axis site_chart_sieve_axis(const double *size, size_t n);
@@ -26,17 +27,17 @@ void site_chart_add_psd(struct chart *chart, struct chart_series look,
 void site_chart_set_sieve_axis(struct chart *chart);
 
 /* Sets point k of a series: at x, a figure with its band, in the unit shown. */
-void site_chart_set_figure_point(
+void site_chart_set_point_with_band(
     struct chart_series *s, size_t k, double x, struct figure at);
 
 /* Completes a series of figures.  A point without a band gets one of no width;
  * if no point has a band, the series has none either. */
-void site_chart_finish_band(struct chart_series *s);
+void site_chart_close_band_at_gaps(struct chart_series *s);
 
 /* Fills line [n], series with equally many points, with the first n quantities
  * of a forecast at evenly spaced speeds from..to, m/s. */
-void site_chart_fill_speed_lines(struct forecast *f, size_t n, double from,
-    double to, struct chart_series *const *line);
+void site_chart_fill_forecast_by_speed(struct forecast *f, size_t n,
+    double from, double to, struct chart_series *const *line);
 
 /* Converts the axis of a chart, and all drawn along it, from m/s to rpm if the
  * site's sheet is in rpm. */
@@ -63,8 +64,8 @@ void site_chart_note_run_marks(struct chart *chart, const struct site *site);
 
 /* Notes below a chart that its measured products were moved to the feed, if
  * this is worth mentioning.  most: the largest move, 0..1, from
- * largest_move_to_feed. */
-void site_chart_note_feed_adjustment(struct chart *chart, double most);
+ * largest_change_by_moving_to_feed. */
+void site_chart_note_moved_products(struct chart *chart, double most);
 
 /* psd shows the measured products at the SITE_CHART_SPEEDS speeds nearest to
  * its own.  site_chart_count_speeds_left_out returns how many speeds that
@@ -73,10 +74,10 @@ enum { SITE_CHART_SPEEDS = 12 };
 size_t site_chart_count_speeds_left_out(const struct site *site);
 
 /* Returns the fraction of the product to which the chosen envelope applies;
- * without an envelope it is the whole product.  session_spec_fraction_text
- * returns it as "0/4.75", or "" for the whole product.  The caller frees the
- * text. */
-struct fraction session_spec_fraction(const struct session *s);
-char *session_spec_fraction_text(const struct session *s);
+ * without an envelope it is the whole product.
+ * session_envelope_size_fraction_text returns it as "0/4.75", or "" for the
+ * whole product.  The caller frees the text. */
+struct fraction session_envelope_size_fraction(const struct session *s);
+char *session_envelope_size_fraction_text(const struct session *s);
 
 #endif

@@ -14,7 +14,7 @@
 #include "io/formats/shards.h"
 
 static struct answer *
-join_validated_sites(const struct parts *parts, struct error *error)
+merge_validation_of_parts(const struct parts *parts, struct error *error)
 {
 	struct trials c = {.each = parts->part[0].each > 0};
 	struct answer *r = NULL;
@@ -23,7 +23,7 @@ join_validated_sites(const struct parts *parts, struct error *error)
 	for (size_t i = 0; i < parts->n_row; i++)
 		scores_add_run_of_part(&c, &parts->row[i]);
 	if (parts->n_row > 0)
-		r = scores_all_sites_answer(&c);
+		r = scores_build_answer_of_all_sites(&c);
 	else
 		error_set(error, ERROR_DATA,
 		    "no part has a run that was held out\n"
@@ -56,7 +56,7 @@ read_store_materials(
 		FREED char *fold = text_fold_case_and_accents(name);
 		const json_t *same = json_object_get(shelf->at, fold);
 		if (same != NULL)
-			ok = error_at(error, ERROR_DATA, path, 0, 0,
+			ok = error_set_at(error, ERROR_DATA, path, 0, 0,
 			    "material '%s' is already in %s\nleave one out",
 			    name, shelf->path[json_integer_value(same)]);
 		shelf->path[n] = path;
@@ -69,7 +69,7 @@ read_store_materials(
 /* Takes the material of a site out of `at`. It must be from the same
  * calibration as the part: its misfit must agree to the last bit. */
 static bool
-take_calibrated_material(const struct stores_read *shelf,
+extract_material_of_part(const struct stores_read *shelf,
     const struct part_row *row, const char *version, struct material *item,
     struct error *error)
 {
@@ -88,7 +88,7 @@ take_calibrated_material(const struct stores_read *shelf,
 	json_object_del(shelf->at, fold);
 	return (item->misfit == row->number[MISFIT] &&
 		   strcmp(item->version, version) == 0) ||
-	       error_at(error, ERROR_DATA, shelf->path[at], 0, 0,
+	       error_set_at(error, ERROR_DATA, shelf->path[at], 0, 0,
 		   "expected the calibration of '%s' that is in its part "
 		   "(misfit %.6g, version %s), got another (misfit %.6g, "
 		   "version %s)\nmake the part and the store again, in one run",
@@ -105,21 +105,21 @@ store_collected_materials(struct session *s, const struct stores_read *shelf,
 	size_t n = parts->n_row;
 	FREED struct material *item = xcalloc(n + 1, sizeof *item);
 	for (size_t i = 0; i < n; i++)
-		if (!take_calibrated_material(shelf, &parts->row[i],
+		if (!extract_material_of_part(shelf, &parts->row[i],
 			parts->part[0].version, &item[i], error))
 			return false;
 	const json_t *left =
 	    json_object_iter_value(json_object_iter(shelf->at));
 	if (left != NULL) {
 		json_int_t at = json_integer_value(left);
-		return error_at(error, ERROR_DATA, shelf->path[at], 0, 0,
+		return error_set_at(error, ERROR_DATA, shelf->path[at], 0, 0,
 		    "material '%s' belongs to none of the parts\n"
 		    "let each part begin with an empty store",
 		    shelf->list.item[at].name);
 	}
-	if (!store_put_materials(s->store, item, n, replace, error))
+	if (!store_save_materials(s->store, item, n, replace, error))
 		return false;
-	session_note(
+	session_print_note(
 	    s, "remembered %zu materials in %s", n, store_path(s->store));
 	return true;
 }
@@ -131,7 +131,7 @@ merge_stores_of_parts(struct session *s, const struct parts *parts,
 	if (n == 0)
 		return true;
 	if (strcmp(parts->part[0].command, "calibrate") != 0)
-		return error_at(error, ERROR_DATA, path[0], 0, 0,
+		return error_set_at(error, ERROR_DATA, path[0], 0, 0,
 		    "expected the parts of 'calibrate all' with a store, got "
 		    "those of '%s all'\n"
 		    "leave out the store, or collect the parts of the "
@@ -158,14 +158,14 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 	size_t n_store = 0;
 	for (size_t i = 0; ok && i < args->n_operand; i++) {
 		const char *path = args->operand[i];
-		files_note_read(s, path);
+		files_record_read(s, path);
 		if (store_is_sqlite_file(path))
 			store[n_store++] = path;
 		else
-			ok = parts_read_file(path, &parts, error);
+			ok = parts_read_result_file(path, &parts, error);
 	}
 	if (ok && parts.n == 0)
-		ok = error_at(error, ERROR_DATA, store[0], 0, 0,
+		ok = error_set_at(error, ERROR_DATA, store[0], 0, 0,
 		    "expected the parts that this store belongs to as "
 		    "well\nwrite them with: calibrate all part=I/N > "
 		    "FILE.json");
@@ -173,8 +173,9 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 	    merge_stores_of_parts(
 		s, &parts, store, n_store, args->replace, error))
 		r = strcmp(parts.part[0].command, "validate") == 0
-			? join_validated_sites(&parts, error)
-			: part_calibrate_answer(parts.row, parts.n_row);
+			? merge_validation_of_parts(&parts, error)
+			: part_build_calibrate_all_answer(
+			      parts.row, parts.n_row);
 	parts_free(&parts);
 	return r != NULL && session_show_answer(s, r);
 }

@@ -16,7 +16,7 @@ static const uint64_t SEED = 1; /* seed of the simulated run lengths */
 
 /* Returns the larger of the two CUSUMs, the downward one as negative. */
 static double
-cusum_nearest_to_limit(const struct drift_chart *c)
+larger_signed_cusum(const struct drift_chart *c)
 {
 	return c->down > c->up ? -c->down : c->up;
 }
@@ -25,16 +25,17 @@ cusum_nearest_to_limit(const struct drift_chart *c)
  * predicted; people get predicted minus measured, as in all other
  * comparisons. */
 static void
-add_rows_of_cuts(
+add_belt_cut_rows_to_answer(
     struct answer *a, const struct routine *r, bool charts, bool programs)
 {
 	double sign = programs ? 1 : -1;
-	answer_columns(a, "cut, date, speed: m/s, mean_points: mean, "
-			  "worst_points: most, worst_mm: mm");
+	answer_add_columns(a, "cut, date, speed: m/s, mean_points: mean, "
+			      "worst_points: most, worst_mm: mm");
 	if (charts)
-		answer_columns(a, "ewma: EWMA, ewma_limit: max, cusum_up: "
-				  "fine, cusum_down: coarse, tilt_cusum: tilt");
-	answer_columns(a, "state");
+		answer_add_columns(a,
+		    "ewma: EWMA, ewma_limit: max, cusum_up: "
+		    "fine, cusum_down: coarse, tilt_cusum: tilt");
+	answer_add_columns(a, "state");
 	for (size_t j = 0; j < r->n; j++) {
 		const struct routine_cut *c = &r->cut[j];
 		const struct drift_point *p = &r->point[j];
@@ -43,21 +44,21 @@ add_rows_of_cuts(
 		double worst = c->measured[c->worst] - c->predicted[c->worst];
 		FREED char *day = xstrndup(c->when, strcspn(c->when, " T"));
 		answer_add_cells(a, "%g", (double)(j + 1));
-		answer_name(a, c->when, day[0] != '\0' ? day : "-");
+		answer_add_keyed_cell(a, c->when, day[0] != '\0' ? day : "-");
 		answer_add_cells(a, "%g %.1f %.1f %g", c->speed,
 		    sign * 100 * level->value, sign * 100 * worst,
-		    units_mm(c->size[c->worst]));
+		    units_m_to_mm(c->size[c->worst]));
 		if (charts)
 			answer_add_cells(a, "%.1f %.1f %.1f %.1f %.1f",
 			    sign * level->ewma, level->ewma_limit, level->up,
-			    level->down, sign * cusum_nearest_to_limit(tilt));
+			    level->down, sign * larger_signed_cusum(tilt));
 		answer_add_cells(a, "%s", tr(ROUTINE_STATE[p->state]));
 	}
 }
 
 /* Returns "5 (2026-05-18)". */
 static char *
-cut_number_and_date(const struct routine *r, size_t cut)
+cut_number_and_date_text(const struct routine *r, size_t cut)
 {
 	const char *when = r->cut[cut].when;
 	return when[0] != '\0' ? xasprintf("%zu (%s)", cut + 1, when)
@@ -88,12 +89,12 @@ enum { MOST_CUTS = 50 };
 
 /* Says when the drift began, if the last cut signals one. */
 static void
-say_when_drift_began(struct answer *a, const struct routine *r)
+note_when_drift_began(struct answer *a, const struct routine *r)
 {
 	if (r->point[r->n - 1].state == DRIFT_NONE)
 		return;
-	FREED char *since = cut_number_and_date(r, r->since),
-		   *first = cut_number_and_date(r, r->first);
+	FREED char *since = cut_number_and_date_text(r, r->since),
+		   *first = cut_number_and_date_text(r, r->first);
 	answer_note(a,
 	    "it began at about cut %s; by cut %s it was more than chance",
 	    since, first);
@@ -101,7 +102,7 @@ say_when_drift_began(struct answer *a, const struct routine *r)
 
 /* Says when to calibrate again, and with what. */
 static void
-say_when_to_recalibrate(struct answer *a, const struct entry *entry,
+note_when_to_recalibrate(struct answer *a, const struct entry *entry,
     const struct routine *r, const struct later *later)
 {
 	size_t n;
@@ -129,7 +130,7 @@ say_when_to_recalibrate(struct answer *a, const struct entry *entry,
 			     "next cut"));
 		return;
 	}
-	FREED char *since = cut_number_and_date(r, r->since);
+	FREED char *since = cut_number_and_date_text(r, r->since);
 	FREED char *speeds = speeds_of_cuts_text(r, r->since, &n);
 	answer_note(a,
 	    n > 1
@@ -147,7 +148,7 @@ say_when_to_recalibrate(struct answer *a, const struct entry *entry,
  * that the next cut alone would show in half of all cases; NAN if it is MOST or
  * more. */
 static double
-smallest_shift_shown_at_once(const struct routine *r)
+smallest_shift_one_cut_shows(const struct routine *r)
 {
 	const double STEP = 0.005, MOST = 0.1;
 	size_t known = r->since < r->n ? r->since : r->n;
@@ -161,12 +162,12 @@ smallest_shift_shown_at_once(const struct routine *r)
 /* Says what a few cuts can show.  With fewer than MEASURES cuts, the smallest
  * change depends mostly on whether the calibration included them. */
 static void
-say_what_few_cuts_show(struct answer *a, const struct routine *r)
+note_what_few_cuts_show(struct answer *a, const struct routine *r)
 {
 	enum { MEASURES = 3 };
 	bool measures = r->n >= MEASURES;
 	double sudden =
-	    measures ? smallest_shift_shown_at_once(r) : (double)NAN;
+	    measures ? smallest_shift_one_cut_shows(r) : (double)NAN;
 	FREED char *words =
 	    xasprintf(tr_n("%zu cut so far: a slow drift needs %d or more to "
 			   "show",
@@ -189,7 +190,7 @@ say_what_few_cuts_show(struct answer *a, const struct routine *r)
 }
 
 static void
-say_how_soon_shift_shows(struct answer *a, double shift, double found)
+note_belt_cuts_until_drift_found(struct answer *a, double shift, double found)
 {
 	if (found <= MOST_CUTS)
 		answer_note(a,
@@ -205,14 +206,14 @@ say_how_soon_shift_shows(struct answer *a, double shift, double found)
 
 /* States the limits, and how often chance alone crosses them. */
 static void
-say_control_limits(struct answer *a, const struct routine *r, bool detail)
+note_control_limits(struct answer *a, const struct routine *r, bool detail)
 {
 	const double shift = 0.005;
 	double quiet = drift_mean_run_length(&r->rule, 0, SEED);
 	double found = drift_detection_delay(&r->rule, r->point, r->n,
 	    r->since < r->n ? r->since : r->n, shift, SEED);
 	double about = quiet > 100 ? 10 * round(quiet / 10) : quiet;
-	answer_say(a, ANSWER_REMARK,
+	answer_add_sentence(a, ANSWER_REMARK,
 	    "in points, answer - measured, + where the cut is coarser: mean of "
 	    "all sieves; most, at the sieve in mm");
 	if (detail)
@@ -230,33 +231,33 @@ say_control_limits(struct answer *a, const struct routine *r, bool detail)
 		    "one cut in about %.0f is called a drift by mistake",
 		    about);
 	if (detail || r->n >= ROUTINE_FEW)
-		say_how_soon_shift_shows(a, shift, found);
+		note_belt_cuts_until_drift_found(a, shift, found);
 	if (r->n < ROUTINE_FEW)
-		say_what_few_cuts_show(a, r);
-	fields_put_values(answer_fields(a),
+		note_what_few_cuts_show(a, r);
+	fields_put_values(answer_json_fields(a),
 	    "false_signal_every %g found_after %g", quiet,
 	    isfinite(found) ? found : (double)NAN);
 }
 
 /* Says what the cuts are compared with, and in which order. */
 static void
-say_basis_of_control_charts(
+note_basis_of_control_charts(
     struct answer *a, const struct session *s, const struct routine *r)
 {
 	if (r->drawn && s->set.correction == CORRECTION_OFF)
-		answer_say(a, ANSWER_REMARK,
+		answer_add_sentence(a, ANSWER_REMARK,
 		    "compared with the answer that the runs correct, which "
 		    "'set correction off' leaves out elsewhere");
 	if (!r->drawn)
-		answer_say(a, ANSWER_WARNING,
+		answer_add_sentence(a, ANSWER_WARNING,
 		    "limits are from 'set noise' alone: parameter uncertainty "
 		    "is not included: expect more false alarms");
 	if (!r->dated && r->n > 1)
-		answer_say(a, ANSWER_REMARK,
+		answer_add_sentence(a, ANSWER_REMARK,
 		    "not every cut has a date: they are in the order in which "
 		    "they were added; 'add FILE date=2026-05-03' gives one");
 	if (r->training_only)
-		answer_say(a, ANSWER_REMARK,
+		answer_add_sentence(a, ANSWER_REMARK,
 		    r->n == 1
 			? N_("this cut was known to the calibration: it is "
 			     "compared with the answer of the other runs, not "
@@ -269,9 +270,9 @@ say_basis_of_control_charts(
 static void
 drift_put_fields(struct answer *a, const struct routine *r)
 {
-	struct fields *o = answer_fields(a);
+	struct fields *o = answer_json_fields(a);
 	enum drift_state state = r->point[r->n - 1].state;
-	answer_put_rows_as_objects(a, "cuts");
+	answer_add_rows_as_json_objects(a, "cuts");
 	fields_put_values(o, "state %s signal %d k %g h %g lambda %g width %g",
 	    ROUTINE_STATE[state], state != DRIFT_NONE, r->rule.k, r->rule.h,
 	    r->rule.lambda, r->rule.width);
@@ -279,54 +280,55 @@ drift_put_fields(struct answer *a, const struct routine *r)
 	    r->first < r->n ? (double)(r->first + 1) : (double)NAN,
 	    r->since < r->n ? (double)(r->since + 1) : (double)NAN, r->running);
 	fields_put_values(o, "worst_mm %g worst_points %g limits %s",
-	    units_mm(r->worst), 100 * r->by, r->drawn ? "posterior" : "noise");
+	    units_m_to_mm(r->worst), 100 * r->by,
+	    r->drawn ? "posterior" : "noise");
 }
 
 /* Says whether the cuts drift.  A single cut that the prediction misses is not
  * a drift, but gets a warning. */
 static void
-say_whether_drifting(struct answer *a, const struct routine *r,
+note_whether_drifting(struct answer *a, const struct routine *r,
     const struct later *later, double rotor)
 {
 	bool drifts = r->point[r->n - 1].state != DRIFT_NONE;
 	FREED char *words = drift_in_words(r);
 	FREED char *rpm = rotor_speed_rpm_text(rotor, later->speed, NAN);
 	if (!drifts && later->missed)
-		answer_say(a, ANSWER_WARNING,
+		answer_add_sentence(a, ANSWER_WARNING,
 		    "no drift, but the cut at %g m/s%s is not as expected",
 		    later->speed, rpm);
 	else
-		answer_say(
+		answer_add_sentence(
 		    a, drifts ? ANSWER_WARNING : ANSWER_PLAIN, "%s", words);
 }
 
 bool
 cmd_drift(struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	struct drift_rule rule = DRIFT_RULE;
 	rule.k = args->k;
 	rule.h = args->h;
-	if (!answers_require_params_of_current(s, error))
+	if (!answers_require_params_current_site(s, error))
 		return false;
 	struct routine *r = control_charts_compute(s, entry, &rule, error);
 	if (r == NULL)
 		return false;
-	struct answer *a = answer_about_site(entry->site, "drift",
+	struct answer *a = answer_new_about_site(entry->site, "drift",
 	    tr_n("%zu routine cut against its prediction",
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);
-	add_rows_of_cuts(a, r, args->detail, false);
+	add_belt_cut_rows_to_answer(a, r, args->detail, false);
 	answer_begin_table_for_programs(a);
-	add_rows_of_cuts(a, r, true, true);
+	add_belt_cut_rows_to_answer(a, r, true, true);
 	drift_put_fields(a, r);
 	struct later later = cut_compare_runs_since_fit(s, entry);
-	say_whether_drifting(a, r, &later, entry->site->rotor);
-	say_when_drift_began(a, r);
-	say_control_limits(a, r, args->detail);
-	say_basis_of_control_charts(a, s, r);
-	answers_show_fit_basis(s, a, entry, false);
-	say_when_to_recalibrate(a, entry, r, &later);
+	note_whether_drifting(a, r, &later, entry->site->rotor);
+	note_when_drift_began(a, r);
+	note_control_limits(a, r, args->detail);
+	note_basis_of_control_charts(a, s, r);
+	answers_note_fit_basis_and_trust(s, a, entry, false);
+	note_when_to_recalibrate(a, entry, r, &later);
 	control_charts_free(r);
 	return session_show_answer(s, a);
 }

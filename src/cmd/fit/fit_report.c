@@ -54,7 +54,7 @@ fit_put_fields(struct fields *o, const struct entry *entry, const char *verdict,
 		fields_put_values(o, "lowest_misfit %g", fit->lowest);
 	fields_put_values(
 	    o, "model %s", breakage_model_of_params(&fit->params)->name);
-	fit_put_params(o, &fit->params);
+	fit_put_params_in_json(o, &fit->params);
 	put_run_speeds_field(o, "train", entry, true);
 	put_run_speeds_field(o, "holdout", entry, false);
 	fields_put_values(o,
@@ -68,7 +68,7 @@ fit_put_fields(struct fields *o, const struct entry *entry, const char *verdict,
 /* Says, if nothing breaks, that the parameters fit sampling errors, and whether
  * that is because the feed is finer than the break size. */
 static void
-explain_why_nothing_breaks(struct answer *r, const struct entry *entry)
+note_why_nothing_breaks(struct answer *r, const struct entry *entry)
 {
 	const double few = 0.05; /* of the feed */
 	const struct run *fastest = &entry->site->run[entry->site->n_run - 1];
@@ -78,17 +78,17 @@ explain_why_nothing_breaks(struct answer *r, const struct entry *entry)
 	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : x <= 0;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, fastest->speed, NAN);
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "RMSE of the unchanged feed %.2f points, of the fit %.2f: the "
 	    "parameters fit sampling errors",
 	    100 * sqrt(entry->fit.feed_misfit / (double)entry->fit.n_residual),
 	    100 * entry->fit.rmse);
 	if (coarser < few)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "only particles coarser than the break size break; at %g "
 		    "m/s%s that is %.3g mm or more, and %.1f %% of the feed is "
 		    "coarser",
-		    fastest->speed, rpm, units_mm(x), 100 * coarser);
+		    fastest->speed, rpm, units_m_to_mm(x), 100 * coarser);
 }
 
 /* Returns the width of a parameter's bounds: 2 for those in the gauge, which
@@ -105,7 +105,7 @@ width_of_parameter_bounds(
 /* True if all poorly determined parameters stay within their bounds after
  * the step (sign 1) or its reverse (-1). */
 static bool
-is_flat_step_within_bounds(
+is_poorly_determined_step_in_bounds(
     const struct fit *fit, const struct bounds *bounds, double sign)
 {
 	const struct breakage *of = breakage_model_of_params(&fit->params);
@@ -114,7 +114,7 @@ is_flat_step_within_bounds(
 		double x = fit->params.at[j] +
 			   sign * fit->flat.part[j] *
 			       width_of_parameter_bounds(fit, bounds, j);
-		if (fit_is_param_in_flat_direction(fit, j))
+		if (fit_is_param_poorly_determined(fit, j))
 			fits = fits && x >= bounds->lower[j] &&
 			       x <= bounds->upper[j];
 	}
@@ -124,10 +124,10 @@ is_flat_step_within_bounds(
 /* list: the parameters with their steps.  both: the bounds also allow the
  * reverse of the step. */
 static void
-say_undetermined_parameters(
+add_undetermined_params_note(
     struct answer *r, const char *list, bool several, bool both)
 {
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    several && both
 		? N_("poorly determined combination: changing %s together (or "
 		     "all reversed) raises the misfit by only 10 %%; rely on "
@@ -155,12 +155,12 @@ note_undetermined_parameters(
 {
 	FREED char *list = xstrdup("");
 	size_t n = 0;
-	bool ahead = is_flat_step_within_bounds(fit, bounds, 1),
-	     back = is_flat_step_within_bounds(fit, bounds, -1);
+	bool ahead = is_poorly_determined_step_in_bounds(fit, bounds, 1),
+	     back = is_poorly_determined_step_in_bounds(fit, bounds, -1);
 	bool silent = fit->flat.reach > 1 || (!ahead && !back);
 	const struct breakage *of = breakage_model_of_params(&fit->params);
 	for (size_t j = 0; j < of->n; j++) {
-		if (!fit_is_param_in_flat_direction(fit, j))
+		if (!fit_is_param_poorly_determined(fit, j))
 			continue;
 		if (silent)
 			xappend_to_list(
@@ -173,12 +173,12 @@ note_undetermined_parameters(
 		n++;
 	}
 	if (silent)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "poorly determined: the data hardly constrain %s; rely on "
 		    "the curves, not on single parameters",
 		    list);
 	else if (n > 0)
-		say_undetermined_parameters(r, list, n > 1, ahead && back);
+		add_undetermined_params_note(r, list, n > 1, ahead && back);
 }
 
 /* Adds warnings and remarks about data that the fit does not explain. */
@@ -187,22 +187,22 @@ add_warnings_of_fit(struct answer *r, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse <= FIT_POOR && !fit_has_too_few_data(fit) &&
-	    fit_nothing_breaks(entry))
-		explain_why_nothing_breaks(r, entry);
+	    fit_has_no_breakage(entry))
+		note_why_nothing_breaks(r, entry);
 	struct validation far =
 	    trust_find_outlier_cell(entry->site, entry->train, &entry->fit);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, far.speed, NAN);
 	if (far.worst_difference != 0)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "the product at %g m/s%s%s differs by %.1f points from the "
 		    "fit at %g mm: run 'check'",
 		    far.speed, entry->site->run[far.run].repeat, rpm,
 		    100 * fabs(far.worst_difference),
-		    units_mm(far.worst_sieve));
+		    units_m_to_mm(far.worst_sieve));
 	double own, mean;
-	if (trust_feeds_mislead(entry->site, fit, &own, &mean))
-		answer_say(r, ANSWER_REMARK,
+	if (trust_are_feeds_misleading(entry->site, fit, &own, &mean))
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "the products do not follow the feeds sampled with them: "
 		    "with the feed of each the model misses by %.2f points on "
 		    "average, with the mean of all feeds by %.2f; were samples "
@@ -234,17 +234,17 @@ add_parameter_rows(struct answer *r, const struct session *s,
     const struct bounds *bounds)
 {
 	const struct breakage *of = breakage_model_of_params(&fit->params);
-	answer_columns(r, "parameter, value");
+	answer_add_columns(r, "parameter, value");
 	if (u != NULL)
-		answer_columns(r, "low, high");
-	answer_columns(r, "unit, lower, upper, remark");
+		answer_add_columns(r, "low, high");
+	answer_add_columns(r, "unit, lower, upper, remark");
 	for (size_t j = 0; j < of->n; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
 		answer_add_cells(
 		    r, "%s %.4f", of->parameter[j].name, fit->params.at[j]);
 		if (u != NULL) {
 			double range[2];
-			param_band_from_draws(u, s, &fit->params, j, range);
+			param_band_from_posterior(u, s, &fit->params, j, range);
 			answer_add_cells(r, "%.4f %.4f", range[0], range[1]);
 		}
 		answer_add_cells(r, "%s %g %g %s", of->parameter[j].unit,
@@ -259,18 +259,18 @@ add_parameter_rows(struct answer *r, const struct session *s,
 /* For a search without polish, notes how far above the lowest misfit it
  * ended. */
 static void
-note_misfit_of_polished_search(struct answer *r, const struct fit *fit)
+note_misfit_above_lowest(struct answer *r, const struct fit *fit)
 {
 	if (!(fit->lowest > 0))
 		return;
 	double above = 100 * (fit->misfit / fit->lowest - 1);
 	if (above >= 0.1)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "the search alone ends %.*f %% above the lowest misfit, "
 		    "%.4g: 'calibrate' finds it",
 		    above < 10 ? 1 : 0, above, fit->lowest);
 	else
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "the search alone ends at the lowest misfit: 'calibrate' "
 		    "finds no lower one");
 }
@@ -279,7 +279,7 @@ static void
 note_bounds_edited(struct answer *r, const struct fit *fit)
 {
 	if (fit->edits > 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    fit->edits > 1
 			? N_("the bounds were edited after generation %zu and "
 			     "before: a script written by 'save' repeats "
@@ -293,7 +293,7 @@ note_bounds_edited(struct answer *r, const struct fit *fit)
 /* Adds notes on the misfit, on how the search went, and on parameters that are
  * poorly determined. */
 static void
-add_search_summary(
+add_calibration_search_notes(
     struct answer *r, const struct entry *entry, const struct bounds *bounds)
 {
 	const struct fit *fit = &entry->fit;
@@ -309,7 +309,7 @@ add_search_summary(
 	    fit->parameters);
 	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
 	    fit->generations, fit->evaluations, why_search_stopped(fit));
-	note_misfit_of_polished_search(r, fit);
+	note_misfit_above_lowest(r, fit);
 	note_bounds_edited(r, fit);
 	add_warnings_of_fit(r, entry);
 	note_undetermined_parameters(r, fit, bounds);
@@ -339,10 +339,10 @@ add_fit_summary(
 	const char *verdict = verdict_on_fit(s, entry, NULL);
 	bool of_fit = strchr(verdict, ' ') == NULL;
 	FREED char *held =
-	    session_run_speeds_text(entry->site, ", ", entry->train, false);
+	    session_speeds_of_runs_text(entry->site, ", ", entry->train, false);
 	FREED char *rpm =
-	    session_run_rpm_in_brackets(entry->site, entry->train, false);
-	double holdout = fit_holdout_rmse(entry);
+	    session_rpm_of_runs_in_brackets(entry->site, entry->train, false);
+	double holdout = fit_largest_holdout_rmse(entry);
 	FREED char *words = xasprintf(
 	    of_fit ? tr("%s fit: misses its products by %.2f points on average")
 		   : tr("%s: misses its products by %.2f points on average"),
@@ -364,22 +364,23 @@ static struct answer *
 build_detailed_fit_report(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, const char *command)
 {
-	const struct posterior *u = posterior_for_comparison(s, entry);
-	struct answer *r =
-	    answer_about_site(entry->site, command, "calibrated parameters");
-	struct fields *o = answer_fields(r);
+	const struct posterior *u = posterior_even_if_correction_off(s, entry);
+	struct answer *r = answer_new_about_site(
+	    entry->site, command, "calibrated parameters");
+	struct fields *o = answer_json_fields(r);
 	add_parameter_rows(r, s, &entry->fit, u, bounds);
-	add_search_summary(r, entry, bounds);
+	add_calibration_search_notes(r, entry, bounds);
 	if (strcmp(command, "show") == 0)
 		fields_put_values(o, "what %s", "fit");
 	fit_put_fields(o, entry, verdict_on_fit(s, entry, NULL), seconds);
-	answers_show_fit_basis(s, r, entry, u != NULL);
+	answers_note_fit_basis_and_trust(s, r, entry, u != NULL);
 	fit_put_param_bands(o, s, u, &entry->fit.params);
 	return r;
 }
 
 struct former
-fit_last_asked_answer(const struct session *s, const struct entry *entry)
+fitted_answer_to_last_question(
+    const struct session *s, const struct entry *entry)
 {
 	const struct last_asked *asked = &s->last_asked;
 	bool mean = s->set.feed[0] == '\0' || strcmp(s->set.feed, "mean") == 0;
@@ -415,7 +416,7 @@ note_change_of_answer(
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, was->speed, NAN);
 	bool all = correction_in_use(s, entry) == CORRECTION_ALL;
-	bool checks = all && isfinite(fit_holdout_rmse(entry));
+	bool checks = all && isfinite(fit_largest_holdout_rmse(entry));
 	if (isfinite(value) && isfinite(was->value))
 		answer_note(r,
 		    checks ? N_("at %.*f m/s%s %s, corrected by all measured "
@@ -438,27 +439,27 @@ fit_build_report(const struct session *s, const struct entry *entry,
 		return build_detailed_fit_report(
 		    s, entry, bounds, seconds, "calibrate");
 	const struct fit *fit = &entry->fit;
-	const struct posterior *u = posterior_for_comparison(s, entry);
+	const struct posterior *u = posterior_even_if_correction_off(s, entry);
 	FREED char *speeds =
-	    session_run_speeds_text(entry->site, ", ", entry->train, true);
+	    session_speeds_of_runs_text(entry->site, ", ", entry->train, true);
 	FREED char *rpm =
-	    session_run_rpm_in_brackets(entry->site, entry->train, true);
+	    session_rpm_of_runs_in_brackets(entry->site, entry->train, true);
 	FREED char *next =
-	    speed_as_typed(entry->site, answers_default_speed(entry));
-	struct answer *r = answer_about_site(
+	    speed_text_in_typed_unit(entry->site, answers_default_speed(entry));
+	struct answer *r = answer_new_about_site(
 	    entry->site, "calibrate", "calibrated on %s m/s%s", speeds, rpm);
 	answer_begin_table_for_programs(r);
 	add_parameter_rows(r, s, fit, u, bounds);
 	add_fit_summary(r, s, entry);
 	note_change_of_answer(r, s, entry);
-	note_misfit_of_polished_search(r, fit);
+	note_misfit_above_lowest(r, fit);
 	note_bounds_edited(r, fit);
 	add_warnings_of_fit(r, entry);
-	fit_put_fields(
-	    answer_fields(r), entry, verdict_on_fit(s, entry, NULL), seconds);
-	if (answers_show_fit_basis(s, r, entry, false) == LIGHT_RED)
+	fit_put_fields(answer_json_fields(r), entry,
+	    verdict_on_fit(s, entry, NULL), seconds);
+	if (answers_note_fit_basis_and_trust(s, r, entry, false) == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
-	else if (fit_nothing_breaks(entry))
+	else if (fit_has_no_breakage(entry))
 		answer_note(r, "next: 'show feed' and 'show product' have "
 			       "the curves");
 	else
@@ -466,7 +467,7 @@ fit_build_report(const struct session *s, const struct entry *entry,
 		    "next: 'predict %s', or any speed; 'show fit' "
 		    "has the parameters",
 		    next);
-	fit_put_param_bands(answer_fields(r), s, u, &fit->params);
+	fit_put_param_bands(answer_json_fields(r), s, u, &fit->params);
 	return r;
 }
 
@@ -474,7 +475,7 @@ bool
 show_fit(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	if (!entry->has_fit || entry->history == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session\n"
@@ -489,7 +490,7 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 enum { ROWS = 18 };
 
 static void
-add_generation_row(
+add_search_generation_row(
     struct answer *r, const struct history *h, size_t i, bool exact)
 {
 	const struct calibrate_generation *g = &h->generation[i];
@@ -508,26 +509,27 @@ add_generation_row(
 }
 
 static void
-add_generation_rows(
+add_search_generation_rows(
     struct answer *r, const struct history *h, size_t step, bool exact)
 {
 	const struct breakage *of =
 	    breakage_model_of_params(&h->generation[0].params);
-	answer_columns(r, "generation: gen, best, median");
+	answer_add_columns(r, "generation: gen, best, median");
 	for (size_t j = 0; j < of->n; j++) {
 		const char *name = of->parameter[j].name;
-		answer_columns(r, exact ? "%s, %s_p10, %s_p90" : "%s_p90: %s",
-		    name, name, name);
+		answer_add_columns(r,
+		    exact ? "%s, %s_p10, %s_p90" : "%s_p90: %s", name, name,
+		    name);
 	}
 	for (size_t i = 0; i < h->n; i++)
 		if (i % step == 0 || i + 1 == h->n)
-			add_generation_row(r, h, i, exact);
+			add_search_generation_row(r, h, i, exact);
 }
 
 bool
 cmd_history(struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	const struct history *h = entry->history;
 	if (h == NULL || h->n == 0)
 		return error_set(error, ERROR_USAGE,
@@ -536,18 +538,18 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 		    entry->site->name);
 	size_t step =
 	    args->every > 0 ? (size_t)args->every : (h->n + ROWS - 1) / ROWS;
-	struct answer *r =
-	    answer_about_site(entry->site, "history", "%zu generations", h->n);
-	add_generation_rows(r, h, step, false);
+	struct answer *r = answer_new_about_site(
+	    entry->site, "history", "%zu generations", h->n);
+	add_search_generation_rows(r, h, step, false);
 	answer_begin_table_for_programs(r);
-	add_generation_rows(r, h, step, true);
-	answer_put_rows_as_objects(r, "rows");
-	answer_say(r, ANSWER_REMARK,
+	add_search_generation_rows(r, h, step, true);
+	answer_add_rows_as_json_objects(r, "rows");
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "best and median misfit of the search, then the spread of each "
 	    "parameter in %% of its bounds");
-	answers_show_fit_basis(s, r, entry, false);
+	answers_note_fit_basis_and_trust(s, r, entry, false);
 	if (entry->fit.edits > 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    entry->fit.edits > 1
 			? N_("the bounds were edited after generation %zu and "
 			     "before: earlier spreads are in %% of the edited "

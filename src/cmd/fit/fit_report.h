@@ -17,7 +17,7 @@ struct answer *fit_build_report(const struct session *s,
  * by default, for the passing of predict's first sentence at the site's usual
  * speed.  All members are 0 if the entry has no fit, a calibration is running,
  * or `set feed` names another feed than the mean. */
-struct former fit_last_asked_answer(
+struct former fitted_answer_to_last_question(
     const struct session *s, const struct entry *entry);
 
 /* Puts the fields of an entry's fit, except the ranges of its parameters. */

@@ -23,19 +23,19 @@
 
 /* Notes what the job is about to do. */
 static void
-note_calibration_begun(struct session *s)
+print_calibration_begun(struct session *s)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	const struct calibrate_options *o = &s->job.options;
 	size_t model = o->settings.breakage;
 	FREED char *train =
-	    session_run_speeds_text(entry->site, ", ", s->job.train, true);
+	    session_speeds_of_runs_text(entry->site, ", ", s->job.train, true);
 	FREED char *holdout =
-	    session_run_speeds_text(entry->site, ", ", s->job.train, false);
+	    session_speeds_of_runs_text(entry->site, ", ", s->job.train, false);
 	FREED char *rpm =
-	    session_run_rpm_in_brackets(entry->site, s->job.train, true);
+	    session_rpm_of_runs_in_brackets(entry->site, s->job.train, true);
 	FREED char *held_rpm =
-	    session_run_rpm_in_brackets(entry->site, s->job.train, false);
+	    session_rpm_of_runs_in_brackets(entry->site, s->job.train, false);
 	/* Held-out runs, too, correct the answers of a site's own fit. */
 	bool included = s->job.fits && s->set.correction == CORRECTION_ALL;
 	const char *kept = included ? tr("kept as a check, then included")
@@ -48,9 +48,9 @@ note_calibration_begun(struct session *s)
 	if (model > 0)
 		xappend_to_list(
 		    &words, ", ", tr("model %s"), BREAKAGES[model]->name);
-	session_note(s, "%s", words);
+	session_print_note(s, "%s", words);
 	if (s->job.detail)
-		session_note(s,
+		session_print_note(s,
 		    "  population %zu, generations %zu, tolerance %g, stall "
 		    "%zu, "
 		    "polish %s, seed %llu, threads %u",
@@ -80,8 +80,8 @@ begin_calibration_task(struct session *s)
 	struct calibrate_options options = job->options;
 	options.threads = can_run_tasks_in_parallel(job) ? 1 : options.threads;
 	job->calibration = calibration_new(site, &options);
-	job->started = session_clock();
-	note_calibration_begun(s);
+	job->started = session_clock_seconds();
+	print_calibration_begun(s);
 }
 
 /* Frees the job's members and clears it. */
@@ -124,7 +124,7 @@ job_mark_training_runs(const struct site *site, bool all, bool *train)
 }
 
 size_t
-job_count_usable_speeds(const struct site *site)
+job_count_trainable_speeds(const struct site *site)
 {
 	FREED bool *use = xcalloc(site->n_run + 1, sizeof *use);
 	job_mark_training_runs(site, true, use);
@@ -151,14 +151,14 @@ job_hold_out_next_speed(const struct site *site, double *speed, bool *train)
 
 /* Copies the generations of the search to its site, for history and plots. */
 static void
-copy_search_history(struct entry *entry, const struct job *job)
+copy_search_history_to_site(struct entry *entry, const struct job *job)
 {
 	size_t n, size = sizeof(struct calibrate_generation);
 	const struct calibrate_generation *g =
-	    calibration_generations(job->calibration, &n);
+	    calibration_generation_history(job->calibration, &n);
 	struct history *h =
 	    history_new(&entry->fit, calibration_bounds(job->calibration),
-		calibration_sum_of_weights(job->calibration), entry->site,
+		calibration_sum_squared_weights(job->calibration), entry->site,
 		job->train);
 	h->n = n;
 	h->generation = xcalloc(n + 1, size);
@@ -216,15 +216,15 @@ set_site_fit_from_job(struct session *s)
 	FREED char *options = calibrate_options_text(s, &entry->fit);
 	snprintf(entry->options, sizeof entry->options, "%s", options);
 	entry->params = entry->fit.params;
-	copy_search_history(entry, &s->job);
-	session_forget_answers(s);
+	copy_search_history_to_site(entry, &s->job);
+	session_remove_answers(s);
 	entry->has_fit = entry->has_params = true;
 	free(entry->remembered);
 	entry->remembered = NULL;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
 	origin_release(entry->origin);
-	entry->origin = origin_of_fit(entry);
+	entry->origin = origin_new_of_fit(entry);
 	s->job.taken = true;
 }
 
@@ -256,7 +256,7 @@ step_polished_search(struct session *s)
  * posterior, which the light needs.  Returns true when all is drawn.  Drawing
  * takes longer than many generations, hence the parts. */
 static bool
-step_posterior_of_fit(struct session *s)
+set_fit_and_step_posterior(struct session *s)
 {
 	if (!s->job.taken && !step_polished_search(s))
 		return false;
@@ -268,10 +268,10 @@ step_posterior_of_fit(struct session *s)
 static void
 show_fit_report(struct session *s)
 {
-	double seconds = session_clock() - s->job.started;
+	double seconds = session_clock_seconds() - s->job.started;
 	bool fits = s->job.fits;
 	if (s->job.detail)
-		session_note(s, "  done in %.2f s", seconds);
+		session_print_note(s, "  done in %.2f s", seconds);
 	/* A stopped job counts as a search in progress, but the report is about
 	 * the fit. */
 	s->job.fits = false;
@@ -299,7 +299,7 @@ fit_remarks_text(const struct session *s, const struct entry *entry)
 			xappend_to_list(
 			    &text, "; ", tr("same data as %s"), other->key);
 	}
-	const char *verdict = verdict_without_draws(s, entry);
+	const char *verdict = fit_verdict_without_posterior(s, entry);
 	if (strcmp(verdict, "good") != 0)
 		xappend_to_list(&text, "; ", "%s", verdict);
 	return text;
@@ -307,7 +307,7 @@ fit_remarks_text(const struct session *s, const struct entry *entry)
 
 /* A job with one calibration has its site and its runs from the start. */
 static bool
-prepare_single_fit(struct session *s)
+prepare_fit_of_current_site(struct session *s)
 {
 	s->job.entry = s->current;
 	return s->job.calibration == NULL;
@@ -322,16 +322,16 @@ set_and_show_single_fit(struct session *s)
 }
 
 static void
-end_without_answer(struct session *s, void *of)
+end_job_without_answer(struct session *s, void *of)
 {
 	(void)s;
 	(void)of;
 }
 
-static const struct job_type ONE_SITE = {.next = prepare_single_fit,
-    .draw = step_posterior_of_fit,
+static const struct job_type ONE_SITE = {.next = prepare_fit_of_current_site,
+    .draw = set_fit_and_step_posterior,
     .take = set_and_show_single_fit,
-    .end = end_without_answer,
+    .end = end_job_without_answer,
     .drop = free,
     .alone = true};
 
@@ -350,8 +350,8 @@ all_fits_new(const struct session *s, bool train_all, struct part part,
 	struct all_fits *fits = xcalloc(1, sizeof *fits);
 	*fits = (struct all_fits){.train_all = train_all,
 	    .part = part,
-	    .options =
-		part_dependencies_text(s, options, train_all ? "all" : "ends")};
+	    .options = part_common_options_text(
+		s, options, train_all ? "all" : "ends")};
 	return fits;
 }
 
@@ -388,7 +388,7 @@ prepare_next_site_fit(struct session *s)
 }
 
 static void
-set_fit_and_add_row(struct session *s)
+set_site_fit_and_add_to_list(struct session *s)
 {
 	struct all_fits *fits = s->job.of;
 	const struct entry *entry = &s->entry[s->job.entry];
@@ -396,10 +396,11 @@ set_fit_and_add_row(struct session *s)
 		set_site_fit_from_job(s);
 	/* The table of sites does not have these fields; assert reads them. */
 	struct answer *answer = answer_new("calibrate");
-	fit_put_fields(answer_fields(answer), entry,
-	    verdict_without_draws(s, entry), session_clock() - s->job.started);
-	session_keep_newest_answer(s, answer);
-	session_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
+	fit_put_fields(answer_json_fields(answer), entry,
+	    fit_verdict_without_posterior(s, entry),
+	    session_clock_seconds() - s->job.started);
+	session_store_newest_answer(s, answer);
+	session_print_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
 	    entry->fit.misfit, 100 * entry->fit.rmse);
 	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
 	fits->index[fits->n++] = s->job.entry;
@@ -416,7 +417,7 @@ row_of_calibrated_site(
 	    .number = {params_value_by_name(p, "f_mat"),
 		params_value_by_name(p, "e0_min"),
 		params_value_by_name(p, "alpha"), entry->fit.misfit,
-		100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)}};
+		100 * entry->fit.rmse, 100 * fit_largest_holdout_rmse(entry)}};
 }
 
 static void
@@ -428,26 +429,26 @@ show_table_of_all_fits(struct session *s, void *of)
 	FREED char **text = xcalloc(2 * n + 1, sizeof *text);
 	for (size_t i = 0; i < n; i++) {
 		const struct entry *entry = &s->entry[fits->index[i]];
-		text[i] =
-		    site_source_clause(entry->site, "provenance not stated");
+		text[i] = site_provenance_first_clause(
+		    entry->site, "provenance not stated");
 		text[n + i] = fit_remarks_text(s, entry);
 		row[i] = row_of_calibrated_site(entry, text[i], text[n + i]);
 	}
-	struct answer *r = part_calibrate_answer(row, n);
+	struct answer *r = part_build_calibrate_all_answer(row, n);
 	for (size_t i = 0; i < 2 * n; i++)
 		free(text[i]);
 	if (fits->part.of > 0) {
-		part_put_collect_fields(
+		part_put_fields_for_collect(
 		    r, s, &fits->part, fits->index, fits->n, fits->options);
-		answer_put_rows_as_objects(r, "rows");
+		answer_add_rows_as_json_objects(r, "rows");
 	}
 	session_show_answer(s, r);
 	all_fits_free(fits);
 }
 
 static const struct job_type ALL_SITES = {.next = prepare_next_site_fit,
-    .draw = step_posterior_of_fit,
-    .take = set_fit_and_add_row,
+    .draw = set_fit_and_step_posterior,
+    .take = set_site_fit_and_add_to_list,
     .end = show_table_of_all_fits,
     .drop = all_fits_free};
 
@@ -474,7 +475,7 @@ begin_next_task_or_end_job(struct session *s)
 
 /* Runs a step of a task's search.  Returns true if the search is over. */
 static bool
-step_task_search(struct calibration *c)
+step_calibration_search(struct calibration *c)
 {
 	return c == NULL || calibration_step(c) >= CALIBRATE_TOLERANCE;
 }
@@ -486,7 +487,7 @@ session_step_job(struct session *s)
 	struct calibrate_status before = calibration_status(c);
 	if (before.state < CALIBRATE_TOLERANCE)
 		s->job.taken = false;
-	bool over = step_task_search(c);
+	bool over = step_calibration_search(c);
 	s->job.step += calibration_status(c).step - before.step;
 	if (over && s->job.type->draw != NULL && !s->job.type->draw(s))
 		return;
@@ -510,14 +511,14 @@ struct running_task {
 
 /* Runs a task until it is complete or should stop. */
 static void
-run_task_to_end(void *data, size_t piece, unsigned thread)
+run_calibration_task_to_end(void *data, size_t piece, unsigned thread)
 {
 	struct running_task *a = &((struct running_task *)data)[piece];
 	const struct job_type *type = a->s->job.type;
 	bool (*stop)(void) = a->task.stop;
 	(void)thread;
 	do
-		a->over = step_task_search(a->task.calibration);
+		a->over = step_calibration_search(a->task.calibration);
 	while (!a->over && (stop == NULL || !stop()));
 	if (a->over && type->follow != NULL) {
 		a->found = type->follow(a->s, &a->task);
@@ -527,7 +528,8 @@ run_task_to_end(void *data, size_t piece, unsigned thread)
 
 /* Lists the present task and the next ones, at most `most` in all. */
 static size_t
-list_next_tasks(struct session *s, struct running_task *ahead, size_t most)
+begin_and_list_calibration_tasks(
+    struct session *s, struct running_task *ahead, size_t most)
 {
 	struct job *job = &s->job;
 	size_t n = 0;
@@ -548,7 +550,7 @@ list_next_tasks(struct session *s, struct running_task *ahead, size_t most)
 /* Takes the results in the order of the tasks.  If a task was stopped, it
  * becomes the present task, and the results of those after it are dropped. */
 static void
-take_parallel_results(
+collect_parallel_results(
     struct session *s, const struct running_task *ahead, size_t n)
 {
 	struct job *job = &s->job;
@@ -591,11 +593,11 @@ session_run_parallel_tasks(struct session *s)
 	unsigned threads = s->job.options.threads;
 	size_t most = EACH_THREAD * threads;
 	FREED struct running_task *ahead = xcalloc(most, sizeof *ahead);
-	size_t n = list_next_tasks(s, ahead, most);
+	size_t n = begin_and_list_calibration_tasks(s, ahead, most);
 	struct pool *pool = pool_new(threads);
-	pool_run(pool, n, run_task_to_end, ahead);
+	pool_run(pool, n, run_calibration_task_to_end, ahead);
 	pool_free(pool);
-	take_parallel_results(s, ahead, n);
+	collect_parallel_results(s, ahead, n);
 }
 
 /* Returns the misfit of the site's present parameters for the job's runs,
@@ -611,8 +613,8 @@ misfit_of_present_params(const struct session *s)
 	options.train = s->job.train;
 	options.run_weight = s->job.run_weight;
 	options.settings.breakage = (unsigned)breakage;
-	if (!entry->has_params ||
-	    !fit_check_settings_agree(&options.settings, breakage, &error))
+	if (!entry->has_params || !fit_check_settings_allow_model(
+				      &options.settings, breakage, &error))
 		return INFINITY;
 	struct misfit *m = calibrate_make_misfit(entry->site, &options);
 	double misfit = misfit_of_params(m, &entry->params);
@@ -624,7 +626,7 @@ misfit_of_present_params(const struct session *s)
  * search does not replace a better fit.  A search that is complete and lacks
  * only its draws always does. */
 static bool
-is_stopped_fit_worth_taking(const struct job *job, double best, double present)
+is_stopped_fit_better(const struct job *job, double best, double present)
 {
 	return calibration_status(job->calibration).state >=
 		   CALIBRATE_TOLERANCE ||
@@ -632,23 +634,23 @@ is_stopped_fit_worth_taking(const struct job *job, double best, double present)
 }
 
 static void
-note_calibration_stopped(
+print_calibration_stopped(
     const struct session *s, double best, double present, bool taken)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (taken && s->job.type->alone)
-		session_note(s,
+		session_print_note(s,
 		    "stopped at generation %zu of %zu, best misfit %.4g kept: "
 		    "continue, accept, undo or calibrate again",
 		    st.generation, s->job.options.generations, best);
 	else if (s->job.type->alone)
-		session_note(s,
+		session_print_note(s,
 		    "stopped at generation %zu of %zu, best misfit %.4g; the "
 		    "site's parameters fit better (misfit %.4g) and stay: "
 		    "'accept' takes the stopped ones, 'continue' resumes",
 		    st.generation, s->job.options.generations, best, present);
 	else if (!taken)
-		session_note(s,
+		session_print_note(s,
 		    "%s: stopped at generation %zu of %zu, best misfit %.4g; "
 		    "the site's parameters fit better (misfit %.4g) and "
 		    "stay",
@@ -661,7 +663,7 @@ note_calibration_stopped(
  * of that stop, which is half done, too, and may lie outside bounds edited
  * since.  So the best is compared with the parameters before that. */
 static enum stopped
-take_best_fit_on_stop(struct session *s)
+apply_best_fit_on_stop(struct session *s)
 {
 	struct job *job = &s->job;
 	const struct params *params = &s->entry[job->entry].params;
@@ -670,13 +672,13 @@ take_best_fit_on_stop(struct session *s)
 	double best = calibration_best_fit(job->calibration).misfit;
 	if (!job->gave || memcmp(&job->given, params, sizeof *params) != 0)
 		job->before = misfit_of_present_params(s);
-	bool taken = is_stopped_fit_worth_taking(job, best, job->before);
+	bool taken = is_stopped_fit_better(job, best, job->before);
 	if (taken) {
 		job->type->take(s);
 		job->given = *params;
 		job->gave = true;
 	}
-	note_calibration_stopped(s, best, job->before, taken);
+	print_calibration_stopped(s, best, job->before, taken);
 	return taken ? STOPPED_TAKEN : STOPPED_WORSE;
 }
 
@@ -688,11 +690,11 @@ session_stop_job_for_user(struct session *s)
 	const char *useless = s->job.type->useless;
 	if (useless != NULL) {
 		session_abort_job(s);
-		session_note(s, "%s", useless);
+		session_print_note(s, "%s", useless);
 		return STOPPED_EMPTY;
 	}
-	enum stopped stopped = take_best_fit_on_stop(s);
-	invocation_note_job_stopped(s, s->job.step);
+	enum stopped stopped = apply_best_fit_on_stop(s);
+	invocation_set_job_stopped(s, s->job.step);
 	if (!s->job.type->alone || stopped == STOPPED_EMPTY) {
 		end_job(s);
 		return stopped;
@@ -700,7 +702,7 @@ session_stop_job_for_user(struct session *s)
 	s->job.paused = true;
 	s->job.held_back = stopped == STOPPED_WORSE;
 	s->job.undo_steps = undo_count_steps(s);
-	s->job.stopped = session_clock();
+	s->job.stopped = session_clock_seconds();
 	return stopped;
 }
 
@@ -718,7 +720,7 @@ void
 session_abort_job(struct session *s)
 {
 	if (session_is_calibrating(s))
-		invocation_note_job_stopped(s, 0);
+		invocation_set_job_stopped(s, 0);
 	job_free(&s->job);
 }
 
@@ -728,14 +730,14 @@ session_discard_paused_job(struct session *s)
 	if (s->job.type == NULL)
 		return;
 	session_abort_job(s);
-	session_note(
+	session_print_note(
 	    s, "discarded the stopped calibration; it cannot be continued");
 }
 
 /* Marks the runs with a product at the given speeds, including all repeats.
  * Each speed must have one. */
 static bool
-mark_runs_at_given_speeds(const struct site *site, const struct args *args,
+mark_training_runs_at_speeds(const struct site *site, const struct args *args,
     bool *train, struct error *error)
 {
 	const double *speed = args->train.at;
@@ -766,7 +768,7 @@ mark_runs_at_given_speeds(const struct site *site, const struct args *args,
 
 /* True if each training run has a sieve to compare. */
 static bool
-check_training_sieves(
+check_training_runs_have_sieves(
     const struct site *site, const bool *train, struct error *error)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -786,7 +788,7 @@ check_training_sieves(
 /* True if each training run has standard deviations.  A run without them
  * would count for almost nothing beside the others. */
 static bool
-check_runs_have_deviations(
+check_runs_have_standard_deviations(
     const struct site *site, const bool *train, struct error *error)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -825,7 +827,7 @@ assign_weights_to_runs(const struct site *site, const bool *train,
 }
 
 struct calibrate_options
-job_default_options(const struct session *s)
+job_options_from_settings(const struct session *s)
 {
 	struct calibrate_options o = calibrate_options_default();
 	o.seed = s->set.seed;
@@ -847,7 +849,7 @@ static struct calibrate_options
 parse_calibrate_options(
     const struct session *s, const struct args *args, bool all)
 {
-	struct calibrate_options o = job_default_options(s);
+	struct calibrate_options o = job_options_from_settings(s);
 	o.plain = args->preset == PRESET_PAPER;
 	o.seed = args_is_given(args, &args->seed) ? args->seed : o.seed;
 	o.threads = args->threads > 0 ? (unsigned)args->threads : o.threads;
@@ -885,10 +887,11 @@ choose_training_runs(const struct site *site, const struct args *args,
     struct job *job, struct error *error)
 {
 	job->train = xcalloc(site->n_run, sizeof *job->train);
-	return mark_runs_at_given_speeds(site, args, job->train, error) &&
-	       check_training_sieves(site, job->train, error) &&
+	return mark_training_runs_at_speeds(site, args, job->train, error) &&
+	       check_training_runs_have_sieves(site, job->train, error) &&
 	       (args->weights != WEIGHTS_SD ||
-		   check_runs_have_deviations(site, job->train, error)) &&
+		   check_runs_have_standard_deviations(
+		       site, job->train, error)) &&
 	       assign_weights_to_runs(site, job->train, &args->run_weights,
 		   &job->run_weight, error);
 }
@@ -896,7 +899,7 @@ choose_training_runs(const struct site *site, const struct args *args,
 bool
 cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 {
-	const struct site *site = session_current_entry(s)->site;
+	const struct site *site = session_current_site_entry(s)->site;
 	bool all = args->n_operand > 0;
 	struct part part = {0};
 	struct job job = {.type = all ? &ALL_SITES : &ONE_SITE,
@@ -908,7 +911,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "calibrate: expected options or all, got '%s'",
 		    args->operand[0]);
-	if (!fit_check_settings_agree(
+	if (!fit_check_settings_allow_model(
 		&s->set.model, s->set.model.breakage, error) ||
 	    !part_from_args(args, all, &part, error) ||
 	    !(all ? check_options_of_calibrate_all(args, error)
@@ -922,7 +925,8 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	if (all)
 		job.of = all_fits_new(s, train_all, part, &job.options);
 	else
-		job.former = fit_last_asked_answer(s, session_current_entry(s));
+		job.former = fitted_answer_to_last_question(
+		    s, session_current_site_entry(s));
 	if (job_start(s, &job))
 		return true;
 	if (part.of == 0)
@@ -955,7 +959,7 @@ continue_in_edited_bounds(struct session *s)
 	struct job *job = &s->job;
 	size_t model = job->options.settings.breakage;
 	if (s->set.model.breakage != model) {
-		session_note(s,
+		session_print_note(s,
 		    "  continuing with the model %s; 'calibrate' begins with "
 		    "%s",
 		    BREAKAGES[model]->name,
@@ -967,14 +971,14 @@ continue_in_edited_bounds(struct session *s)
 		return;
 	/* Only draws are missing. */
 	if (calibration_status(job->calibration).state >= CALIBRATE_TOLERANCE) {
-		session_note(s,
+		session_print_note(s,
 		    "  the search has ended; 'calibrate' begins within the "
 		    "edited bounds");
 		return;
 	}
 	job->options.bounds = s->set.bounds;
 	calibration_set_bounds(job->calibration, &s->set.bounds);
-	session_note(s,
+	session_print_note(s,
 	    "  continuing after generation %zu within the edited bounds",
 	    calibration_status(job->calibration).generation);
 }
@@ -995,7 +999,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 	if (s->job.newest)
 		s->invocation->joins = true;
 	s->job.pause_at = (size_t)args->pause;
-	s->job.started += session_clock() - s->job.stopped;
+	s->job.started += session_clock_seconds() - s->job.stopped;
 	s->job.paused = s->job.held_back = false;
 	s->job.invocation = s->invocation;
 	return true;

@@ -48,7 +48,7 @@ struct job_type {
 };
 
 /* Returns the options of a plain `calibrate` in this session. */
-struct calibrate_options job_default_options(const struct session *s);
+struct calibrate_options job_options_from_settings(const struct session *s);
 
 /* Starts a job.  type, of, options, pause_at and, for a single task, train and
  * run_weight must be set.  Takes ownership of the members.  Returns false if
@@ -63,7 +63,7 @@ size_t job_mark_training_runs(const struct site *site, bool all, bool *train);
 /* Returns the number of speeds with a product that the feed covers.  Holding
  * out each in turn needs JOB_FOR_EACH, which leaves at least two. */
 enum { JOB_FOR_EACH = 3 };
-size_t job_count_usable_speeds(const struct site *site);
+size_t job_count_trainable_speeds(const struct site *site);
 
 /* Advances `speed` to the next usable speed (0: before the first) and marks the
  * runs at all other speeds in train.  Returns false if no speed is left. */

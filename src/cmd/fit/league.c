@@ -20,13 +20,13 @@
  * model and, if collision energies are set, a last one for the paper's model
  * with them (D15). */
 static size_t
-breakage_index_of_row(size_t row)
+breakage_index_of_model_row(size_t row)
 {
 	return row < breakage_count_models() ? row : 0;
 }
 
 static const char *
-model_name_of_row(size_t row)
+model_name_of_league_row(size_t row)
 {
 	return row < breakage_count_models() ? BREAKAGES[row]->name
 					     : "grunditz+energies";
@@ -79,7 +79,7 @@ league_free(void *of)
 /* Returns the default bounds of a model.  A parameter that the session's model
  * has too gets the session's bounds. */
 static struct bounds
-bounds_of_model(const struct session *s, size_t model)
+param_bounds_of_model(const struct session *s, size_t model)
 {
 	struct bounds b = bounds_default(model);
 	const struct breakage *set = BREAKAGES[s->set.model.breakage];
@@ -97,7 +97,7 @@ bounds_of_model(const struct session *s, size_t model)
 /* Sets up the task's model.  It starts from the fit of the best model that it
  * extends, if any. */
 static bool
-begin_fit_of_model(struct session *s)
+prepare_fit_of_model(struct session *s)
 {
 	const struct league *l = s->job.of;
 	const struct tried_model *tried = l->sites[l->n - 1].model;
@@ -105,13 +105,14 @@ begin_fit_of_model(struct session *s)
 	const struct fit *from = NULL;
 	bool energies = l->model >= breakage_count_models();
 	for (size_t i = 0; i < l->model && !energies; i++)
-		if (breakage_extends(l->model, i) &&
+		if (breakage_is_extension_of(l->model, i) &&
 		    (from == NULL || tried[i].last.misfit < from->misfit))
 			from = &tried[i].last;
-	o->settings.breakage = (unsigned)breakage_index_of_row(l->model);
+	o->settings.breakage = (unsigned)breakage_index_of_model_row(l->model);
 	o->settings.impacts =
 	    energies ? s->set.model.impacts : (struct impacts){.n = 0};
-	o->bounds = bounds_of_model(s, breakage_index_of_row(l->model));
+	o->bounds =
+	    param_bounds_of_model(s, breakage_index_of_model_row(l->model));
 	o->start = from != NULL ? &from->params : NULL;
 	return true;
 }
@@ -119,7 +120,7 @@ begin_fit_of_model(struct session *s)
 /* Begins a site, with the training runs of its fit, if any.  Returns false if
  * it has no run to calibrate on. */
 static bool
-begin_fits_of_site(struct session *s)
+prepare_fits_of_site(struct session *s)
 {
 	struct league *l = s->job.of;
 	const struct entry *entry = &s->entry[l->at];
@@ -145,29 +146,29 @@ begin_fits_of_site(struct session *s)
 /* Begins the next model; after the last, the next speed to hold out, if the
  * site has no held-out run; after the last of those, the next site. */
 static bool
-begin_next_model_or_site(struct session *s)
+begin_next_league_fit(struct session *s)
 {
 	struct league *l = s->job.of;
 	bool first = s->job.calibration == NULL;
 	if (!first && ++l->model < l->n_model)
-		return begin_fit_of_model(s);
+		return prepare_fit_of_model(s);
 	l->model = 0;
 	struct site_models *g = first ? NULL : &l->sites[l->n - 1];
 	if (!first && l->speed == 0)
 		g->each = g->model[0].runs.n == 0 &&
-			  job_count_usable_speeds(g->site) >= JOB_FOR_EACH;
+			  job_count_trainable_speeds(g->site) >= JOB_FOR_EACH;
 	if (!first && g->each &&
 	    job_hold_out_next_speed(g->site, &l->speed, s->job.train))
-		return begin_fit_of_model(s);
+		return prepare_fit_of_model(s);
 	l->speed = 0;
 	for (l->at += !first; l->at < l->end; l->at++)
-		if (begin_fits_of_site(s))
-			return begin_fit_of_model(s);
+		if (prepare_fits_of_site(s))
+			return prepare_fit_of_model(s);
 	return false;
 }
 
 static void
-add_model_result(struct session *s)
+record_model_result_in_league(struct session *s)
 {
 	struct league *l = s->job.of;
 	const struct job *job = &s->job;
@@ -246,7 +247,7 @@ verdict_free(struct verdict *v)
 /* Adds the passings of a site's held-out runs.  Their sampling error is larger
  * in the middle of a curve than at its ends, in proportion to h (D13). */
 static void
-add_held_out_cells(struct verdict *v, const struct site_models *g)
+add_held_out_passings(struct verdict *v, const struct site_models *g)
 {
 	const struct trials *runs = &g->model[0].runs;
 	double sd = sampling_error_at_site(g), h = 0;
@@ -289,7 +290,8 @@ append_predicted_passings(double **passing, size_t n, const struct trials *runs,
 /* Adds a site.  Its AICc count only if all models have one, unless the verdict
  * is on this site alone. */
 static void
-add_site_to_verdict(struct verdict *v, const struct site_models *g, bool alone)
+add_site_to_model_verdict(
+    struct verdict *v, const struct site_models *g, bool alone)
 {
 	bool counts = true;
 	for (size_t m = 0; m < v->n_model; m++)
@@ -305,7 +307,7 @@ add_site_to_verdict(struct verdict *v, const struct site_models *g, bool alone)
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
 		append_predicted_passings(
 		    &v->null[way], v->n, &g->model[0].runs, way);
-	add_held_out_cells(v, g);
+	add_held_out_passings(v, g);
 	v->cells += g->model[0].fit.cells;
 }
 
@@ -319,31 +321,32 @@ judge_models_on_sites(const struct site_models *g, size_t n)
 	    .parameters = xcalloc(models, sizeof *v.parameters),
 	    .predicted = xcalloc(models, sizeof *v.predicted)};
 	for (size_t i = 0; i < n; i++)
-		add_site_to_verdict(&v, &g[i], n == 1);
+		add_site_to_model_verdict(&v, &g[i], n == 1);
 	for (size_t m = 0; m < models; m++) {
-		v.model[m].model = breakage_index_of_row(m);
+		v.model[m].model = breakage_index_of_model_row(m);
 		v.model[m].energies = m >= breakage_count_models();
 		v.model[m].predicted = v.predicted[m];
 		v.model[m].rmse =
 		    league_rmse_over_runs(v.cell, v.n, v.predicted[m]);
 	}
-	v.can_tell = league_rank_models(v.model, models, v.cell, v.n);
+	v.can_tell = league_rule_out_models(v.model, models, v.cell, v.n);
 	while (v.model[v.best].standing != LEAGUE_BEST)
 		v.best++;
 	v.simplest = v.best;
 	for (size_t m = 0; m < models; m++)
 		if (v.model[m].standing == LEAGUE_POSSIBLE &&
 		    !v.model[m].energies && !v.model[v.simplest].energies &&
-		    breakage_extends(v.simplest, m))
+		    breakage_is_extension_of(v.simplest, m))
 			v.simplest = m;
 	v.ranked = isfinite(v.model[v.best].aicc) || v.n > 0;
-	v.none = league_misses_held_out_runs(v.cell, v.n, v.predicted[v.best]);
+	v.none = league_is_prediction_poor(v.cell, v.n, v.predicted[v.best]);
 	v.can_tell = v.can_tell && !v.none;
 	v.straight = NAN;
 	const double *least = v.predicted[v.best];
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 		v.rmse[way] = league_rmse_over_runs(v.cell, v.n, v.null[way]);
-		if (!league_errs_clearly_more(v.cell, v.n, least, v.null[way]))
+		if (!league_is_error_clearly_larger(
+			v.cell, v.n, least, v.null[way]))
 			continue;
 		least = v.null[way];
 		v.winner = (enum validate_way)way;
@@ -408,16 +411,17 @@ put_league_fields(struct fields *o, const struct verdict *v)
 		fields_put_values(fields_add_object(list, NULL),
 		    "model %s holdout_rmse_pct %g aicc %g misfit %g "
 		    "parameters %zu cells %zu standing %s weight_pct %g",
-		    model_name_of_row(m), 100 * v->model[m].rmse,
+		    model_name_of_league_row(m), 100 * v->model[m].rmse,
 		    v->model[m].aicc, v->misfit[m], v->parameters[m], v->cells,
 		    standing_of_model_text(v, m), model_weight_pct(v, m));
 	put_null_model_rmse(o, v->rmse);
 	if (v->ranked)
-		fields_put_values(o, "best %s", model_name_of_row(v->best));
+		fields_put_values(
+		    o, "best %s", model_name_of_league_row(v->best));
 	fields_put_values(o, "can_tell %d", v->can_tell);
 	if (v->can_tell)
 		fields_put_values(
-		    o, "simplest %s", model_name_of_row(v->simplest));
+		    o, "simplest %s", model_name_of_league_row(v->simplest));
 	if (v->winner != VALIDATE_MODEL)
 		fields_put_values(
 		    o, "beaten_by %s", SCORES_WAYS[v->winner].key);
@@ -434,15 +438,16 @@ add_model_rows(struct answer *r, const struct verdict *v, bool programs)
 {
 	bool weights = !isnan(v->straight);
 	double least = v->model[v->best].aicc;
-	answer_columns(r, "model, parameters: free, misfit, aicc: AICc");
+	answer_add_columns(r, "model, parameters: free, misfit, aicc: AICc");
 	if (programs)
-		answer_columns(r, "above_best");
-	answer_columns(r, "holdout_rmse_pct: hold-out, standing");
+		answer_add_columns(r, "above_best");
+	answer_add_columns(r, "holdout_rmse_pct: hold-out, standing");
 	if (weights)
-		answer_columns(r, "weight_pct: share");
+		answer_add_columns(r, "weight_pct: share");
 	for (size_t m = 0; m < v->n_model; m++) {
-		answer_add_cells(r, "%s %g %.5f %.1f", model_name_of_row(m),
-		    (double)v->parameters[m], v->misfit[m], v->model[m].aicc);
+		answer_add_cells(r, "%s %g %.5f %.1f",
+		    model_name_of_league_row(m), (double)v->parameters[m],
+		    v->misfit[m], v->model[m].aicc);
 		if (programs)
 			answer_add_cells(r, "%.1f", v->model[m].aicc - least);
 		answer_add_cells(r, "%.2f %s", 100 * v->model[m].rmse,
@@ -466,27 +471,27 @@ add_model_rows(struct answer *r, const struct verdict *v, bool programs)
 
 /* Returns "grunditz, vogel": the models whose standing is within from..to. */
 static char *
-model_names_of_standing(
+model_names_in_standing_range(
     const struct verdict *v, enum league_standing from, enum league_standing to)
 {
 	char *list = xstrdup("");
 	for (size_t m = 0; m < v->n_model; m++)
 		if (v->model[m].standing >= from && v->model[m].standing <= to)
 			xappend_to_list(
-			    &list, ", ", "%s", model_name_of_row(m));
+			    &list, ", ", "%s", model_name_of_league_row(m));
 	return list;
 }
 
 static void
-say_best_model(struct answer *r, const struct verdict *v)
+note_best_model(struct answer *r, const struct verdict *v)
 {
 	FREED char *open =
-	    model_names_of_standing(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+	    model_names_in_standing_range(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 	FREED char *out =
-	    model_names_of_standing(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
-	const char *best = model_name_of_row(v->best);
+	    model_names_in_standing_range(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
+	const char *best = model_name_of_league_row(v->best);
 	if (v->none)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "none of these describes this rock: the best, %s, misses "
 		    "the runs left out by %.1f points",
 		    best, 100 * v->model[v->best].rmse);
@@ -496,7 +501,7 @@ say_best_model(struct answer *r, const struct verdict *v)
 				 "its extensions remain")
 			    : N_("the data can tell the models apart: %s "
 				 "remains"),
-		    model_name_of_row(v->simplest));
+		    model_name_of_league_row(v->simplest));
 	else if (!v->ranked)
 		answer_note(r, "the data cannot rank the models: no AICc and "
 			       "no hold-out error");
@@ -512,7 +517,7 @@ say_best_model(struct answer *r, const struct verdict *v)
 	    (v->can_tell || (v->ranked && open[0] != '\0')))
 		answer_note(r, "ruled out: %s", out);
 	if (v->winner != VALIDATE_MODEL)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "no model is best: %s predicts the held-out runs better "
 		    "than the first of them, %s: RMSE %.2f against %.2f points",
 		    tr(SCORES_WAYS[v->winner].noun), best,
@@ -520,39 +525,39 @@ say_best_model(struct answer *r, const struct verdict *v)
 }
 
 static void
-note_how_to_read_table(
+note_how_to_read_league(
     struct answer *r, const struct verdict *v, bool each, bool alone)
 {
 	if (v->n > 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "ranked by the hold-out error, and by AICc among those "
 		    "within 0.1 points");
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "ruled out: AICc more than 10 above the best and no smaller "
 	    "hold-out error; or a hold-out error larger by 0.1 points and "
 	    "twice what sampling explains");
 	if (v->n == 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "no run was held out, and there are fewer than three "
 		    "speeds: no hold-out error");
 	else if (each && alone)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "hold-out: each speed in turn, calibrated on the others; "
 		    "AICc: all runs");
 	for (size_t m = 0; m < v->n_model; m++)
 		if (isnan(v->model[m].aicc)) {
-			answer_say(r, ANSWER_REMARK,
+			answer_add_sentence(r, ANSWER_REMARK,
 			    "no AICc: it needs two more passings than "
 			    "parameters, counting the variance; %s has %zu and "
 			    "%zu",
-			    model_name_of_row(m), v->cells,
+			    model_name_of_league_row(m), v->cells,
 			    v->parameters[m] + 1);
 			break;
 		}
 }
 
 static bool
-has_one_speed(const struct site *site)
+has_products_at_one_speed(const struct site *site)
 {
 	double speed = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -567,7 +572,7 @@ has_one_speed(const struct site *site)
 
 /* Returns the row of the model that answers use. */
 static size_t
-row_in_use(const struct session *s, const struct site_models *g)
+row_of_model_in_use(const struct session *s, const struct site_models *g)
 {
 	const struct entry *entry = &s->entry[g->entry];
 	size_t breakage =
@@ -583,18 +588,18 @@ static void
 note_model_in_use(struct answer *r, const struct session *s,
     const struct site_models *g, const struct verdict *v)
 {
-	size_t used = row_in_use(s, g);
-	const char *name = model_name_of_row(used);
+	size_t used = row_of_model_in_use(s, g);
+	const char *name = model_name_of_league_row(used);
 	bool out = v->ranked && !v->none && used < v->n_model &&
 		   v->model[used].standing >= LEAGUE_OUT_AICC;
-	fields_put_values(answer_fields(r), "in_use %s", name);
+	fields_put_values(answer_json_fields(r), "in_use %s", name);
 	if (out && v->winner == VALIDATE_MODEL && !v->model[v->best].energies)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "answers use %s, which is ruled out; 'set model %s', then "
 		    "'calibrate', for the best",
-		    name, model_name_of_row(v->best));
+		    name, model_name_of_league_row(v->best));
 	else
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "answers use %s; 'set model NAME', then 'calibrate', for "
 		    "another",
 		    name);
@@ -603,7 +608,7 @@ note_model_in_use(struct answer *r, const struct session *s,
 /* Sets the shares of the model in use and of the straight line in the site's
  * answers, if there are draws. */
 static void
-find_model_weights(
+set_shares_of_model_and_line(
     struct verdict *v, const struct session *s, const struct site_models *g)
 {
 	const struct entry *entry = &s->entry[g->entry];
@@ -613,20 +618,20 @@ find_model_weights(
 		: posterior_for_unseen_cuts(s, entry, false);
 	if (p == NULL)
 		return;
-	v->in_use = row_in_use(s, g);
+	v->in_use = row_of_model_in_use(s, g);
 	v->straight = p->straight;
 }
 
 static void
-note_model_weights(struct answer *r, const struct verdict *v)
+note_share_of_model_and_line(struct answer *r, const struct verdict *v)
 {
 	if (isnan(v->straight))
 		return;
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "share: between two measured speeds the answer is %.0f %% %s, "
 	    "corrected, and %.0f %% the straight line; elsewhere it is all %s",
-	    model_weight_pct(v, v->in_use), model_name_of_row(v->in_use),
-	    100 * v->straight, model_name_of_row(v->in_use));
+	    model_weight_pct(v, v->in_use), model_name_of_league_row(v->in_use),
+	    100 * v->straight, model_name_of_league_row(v->in_use));
 }
 
 static struct answer *
@@ -634,49 +639,50 @@ build_league_answer_of_site(
     const struct session *s, const struct site_models *g)
 {
 	struct verdict v = judge_models_on_sites(g, 1);
-	find_model_weights(&v, s, g);
-	struct answer *r =
-	    answer_about_site(g->site, "league", "breakage models compared");
+	set_shares_of_model_and_line(&v, s, g);
+	struct answer *r = answer_new_about_site(
+	    g->site, "league", "breakage models compared");
 	add_model_rows(r, &v, false);
 	answer_begin_table_for_programs(r);
 	add_model_rows(r, &v, true);
-	say_best_model(r, &v);
-	if (has_one_speed(g->site))
-		answer_say(r, ANSWER_WARNING,
+	note_best_model(r, &v);
+	if (has_products_at_one_speed(g->site))
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "all products are from one speed: this compares how the "
 		    "models fit one curve, not how they describe the effect of "
 		    "the speed");
 	note_model_in_use(r, s, g, &v);
-	note_model_weights(r, &v);
-	note_how_to_read_table(r, &v, g->each, true);
-	put_league_fields(answer_fields(r), &v);
+	note_share_of_model_and_line(r, &v);
+	note_how_to_read_league(r, &v, g->each, true);
+	put_league_fields(answer_json_fields(r), &v);
 	if (g->each)
-		fields_put_values(answer_fields(r), "holdout_each %d", true);
+		fields_put_values(
+		    answer_json_fields(r), "holdout_each %d", true);
 	verdict_free(&v);
 	return r;
 }
 
 /* Adds the cells of a site, or of all sites, after its name. */
 static void
-add_verdict_cells(struct answer *r, const struct verdict *v)
+add_model_verdict_cells(struct answer *r, const struct verdict *v)
 {
 	FREED char *open = v->none ? xstrdup("")
-				   : model_names_of_standing(
+				   : model_names_in_standing_range(
 					 v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 	enum validate_way ahead = null_model_beating_best(v);
 	answer_add_cells(r, "%s %.2f %.2f %s",
 	    ahead != VALIDATE_MODEL ? SCORES_WAYS[ahead].key
 	    : v->none               ? tr("none")
-				    : model_name_of_row(v->best),
+				    : model_name_of_league_row(v->best),
 	    100 * v->model[v->best].rmse, 100 * v->rmse[VALIDATE_INTERPOLATION],
 	    v->can_tell ? tr("yes") : tr("no"));
-	answer_text(r, "%s", open);
+	answer_add_text_cell(r, "%s", open);
 }
 
 /* Adds a row to the table for people and to that for programs, in which each
  * site has the source of its own data.  The first row brings the columns. */
 static void
-add_league_row(struct answer *r, bool first, const char *key,
+add_league_row_of_site(struct answer *r, bool first, const char *key,
     const char *source, const struct verdict *v)
 {
 	for (int programs = 0; programs < 2; programs++) {
@@ -685,10 +691,11 @@ add_league_row(struct answer *r, bool first, const char *key,
 		else
 			answer_resume_table_for_people(r);
 		if (first) {
-			answer_column(r, "site", "site");
+			answer_add_column(r, "site", "site");
 			if (programs)
-				answer_column(r, "provenance", "provenance");
-			answer_columns(r,
+				answer_add_column(
+				    r, "provenance", "provenance");
+			answer_add_columns(r,
 			    "best, holdout_rmse_pct: hold-out RMSE, "
 			    "interpolation_pct: interpolation, "
 			    "can_tell: can tell, possible: also possible");
@@ -696,73 +703,74 @@ add_league_row(struct answer *r, bool first, const char *key,
 		answer_add_cells(r, "%s", key);
 		if (programs)
 			answer_add_cells(r, "%s", source);
-		add_verdict_cells(r, v);
+		add_model_verdict_cells(r, v);
 	}
 }
 
 /* Adds a row for each site and one for all of them. */
 static struct answer *
-build_league_answer_of_all(const struct session *s, const struct league *l)
+build_league_answer_of_all_sites(
+    const struct session *s, const struct league *l)
 {
 	struct answer *r = answer_new("league");
-	struct fields *sites = fields_add_list(answer_fields(r), "sites");
+	struct fields *sites = fields_add_list(answer_json_fields(r), "sites");
 	struct sources all = {0};
-	answer_title(r,
+	answer_set_title(r,
 	    tr_n("breakage models compared, %zu site",
 		"breakage models compared, %zu sites", l->n),
 	    l->n);
 	for (size_t i = 0; i < l->n; i++) {
 		const struct site_models *g = &l->sites[i];
 		const char *key = s->entry[g->entry].key;
-		FREED char *source =
-		    site_source_clause(g->site, "provenance not stated");
+		FREED char *source = site_provenance_first_clause(
+		    g->site, "provenance not stated");
 		struct verdict v = judge_models_on_sites(g, 1);
 		struct fields *own = fields_add_object(sites, NULL);
 		fields_put_values(own, "site %s key %s", g->site->name, key);
 		put_league_fields(own, &v);
 		fields_put_values(own, "provenance %s", source);
 		sources_add(&all, key, source);
-		add_league_row(r, i == 0, key, source, &v);
+		add_league_row_of_site(r, i == 0, key, source, &v);
 		verdict_free(&v);
 	}
-	FREED char *about = sources_end(&all);
+	FREED char *about = sources_text_and_clear(&all);
 	struct verdict v = judge_models_on_sites(l->sites, l->n);
-	add_league_row(r, l->n == 0, "all", about, &v);
-	put_league_fields(answer_fields(r), &v);
-	say_best_model(r, &v);
-	note_how_to_read_table(r, &v, false, false);
+	add_league_row_of_site(r, l->n == 0, "all", about, &v);
+	put_league_fields(answer_json_fields(r), &v);
+	note_best_model(r, &v);
+	note_how_to_read_league(r, &v, false, false);
 	verdict_free(&v);
 	answer_set_site_names(r, "all", about);
 	return r;
 }
 
 static void
-show_league_and_end(struct session *s, void *of)
+show_league_and_free(struct session *s, void *of)
 {
 	struct league *l = of;
 	session_show_answer(
-	    s, l->all ? build_league_answer_of_all(s, l)
+	    s, l->all ? build_league_answer_of_all_sites(s, l)
 		      : build_league_answer_of_site(s, &l->sites[0]));
 	league_free(l);
 }
 
 static char *
-name_of_model_task(const struct session *s)
+league_calibration_text(const struct session *s)
 {
 	const struct league *l = s->job.of;
 	const char *key = s->entry[s->job.entry].key;
-	const char *model = model_name_of_row(l->model);
+	const char *model = model_name_of_league_row(l->model);
 	return l->speed > 0 ? xasprintf(tr("league: %s, model %s without %g "
 					   "m/s"),
 				  key, model, l->speed)
 			    : xasprintf(tr("league: %s, model %s"), key, model);
 }
 
-static const struct job_type LEAGUE = {.next = begin_next_model_or_site,
-    .take = add_model_result,
-    .end = show_league_and_end,
+static const struct job_type LEAGUE = {.next = begin_next_league_fit,
+    .take = record_model_result_in_league,
+    .end = show_league_and_free,
     .drop = league_free,
-    .task_words = name_of_model_task,
+    .task_words = league_calibration_text,
     .useless = N_("stopped before all models were calibrated")};
 
 bool
@@ -774,7 +782,7 @@ cmd_league(struct session *s, const struct args *args, struct error *error)
 		    "league: expected all or nothing, got '%s'",
 		    args->operand[0]);
 	for (size_t m = 0; m < breakage_count_models(); m++)
-		if (!fit_check_settings_agree(&s->set.model, m, error))
+		if (!fit_check_settings_allow_model(&s->set.model, m, error))
 			return false;
 	struct league *l = xcalloc(1, sizeof *l);
 	*l = (struct league){.all = all,
@@ -783,11 +791,11 @@ cmd_league(struct session *s, const struct args *args, struct error *error)
 	    .end = all ? s->n_entry : s->current + 1};
 	session_discard_paused_job(s);
 	const struct job job = {
-	    .type = &LEAGUE, .of = l, .options = job_default_options(s)};
+	    .type = &LEAGUE, .of = l, .options = job_options_from_settings(s)};
 	return job_start(s, &job) ||
 	       error_set(error, ERROR_DATA,
 		   all ? N_("no loaded site has a product to calibrate on")
 		       : N_("%s has no product to calibrate on\n"
 			    "measure a product at two speeds or more"),
-		   session_current_entry(s)->site->name);
+		   session_current_site_entry(s)->site->name);
 }

@@ -22,35 +22,37 @@ show_params(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	const struct entry *entry = session_current_entry(s);
-	const struct posterior *u = posterior_for_comparison(s, entry);
+	const struct entry *entry = session_current_site_entry(s);
+	const struct posterior *u = posterior_even_if_correction_off(s, entry);
 	const struct breakage *of =
 	    entry->has_params ? breakage_model_of_params(&entry->params)
 			      : BREAKAGES[s->set.model.breakage];
-	struct answer *r = of == BREAKAGES[0]
-			       ? answer_about_site(entry->site, "params",
-				     "parameters %s", origin_source_text(entry))
-			       : answer_about_site(entry->site, "params",
-				     "parameters %s; model %s",
-				     origin_source_text(entry), of->name);
-	answer_columns(r, "parameter, value");
+	struct answer *r =
+	    of == BREAKAGES[0]
+		? answer_new_about_site(entry->site, "params", "parameters %s",
+		      origin_of_params_text(entry))
+		: answer_new_about_site(entry->site, "params",
+		      "parameters %s; model %s", origin_of_params_text(entry),
+		      of->name);
+	answer_add_columns(r, "parameter, value");
 	if (u != NULL)
-		answer_columns(r, "low, high");
-	answer_columns(r, "unit, meaning");
+		answer_add_columns(r, "low, high");
+	answer_add_columns(r, "unit, meaning");
 	for (size_t j = 0; j < of->n; j++) {
 		const struct param_info *info = &of->parameter[j];
 		answer_add_cells(r, u != NULL ? "%s %.4f" : "%s %g", info->name,
 		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL) {
 			double range[2];
-			param_band_from_draws(u, s, &entry->params, j, range);
+			param_band_from_posterior(
+			    u, s, &entry->params, j, range);
 			answer_add_cells(r, "%.4f %.4f", range[0], range[1]);
 		}
 		answer_add_cells(r, "%s %s", info->unit, tr(info->meaning));
 	}
 	if (u != NULL)
 		band_note_meaning(r, s, entry, false);
-	origin_note_in_answer(r, entry);
+	origin_add_note_to_answer(r, entry);
 	return session_show_answer(s, r);
 }
 
@@ -58,7 +60,7 @@ void
 set_site_params(struct session *s, struct entry *entry, const struct params *p,
     struct origin *origin)
 {
-	session_forget_answers(s);
+	session_remove_answers(s);
 	entry->params = *p;
 	entry->has_params = true;
 	entry->has_fit = false;
@@ -93,7 +95,7 @@ static bool
 set_named_params(
     struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	size_t model = s->set.model.breakage;
 	const struct breakage *of = BREAKAGES[model];
 	bool has = entry->has_params && entry->params.breakage == model;
@@ -115,14 +117,15 @@ set_named_params(
 		    "params set: expected %s as well: %s has no parameters for "
 		    "the model %s yet",
 		    missing, entry->site->name, of->name);
-	set_site_params(s, session_current_entry(s), &p, origin_new_by_hand());
+	set_site_params(
+	    s, session_current_site_entry(s), &p, origin_new_by_hand());
 	return true;
 }
 
 /* Returns the loaded site that the second operand names, or NULL with an error
  * if there is no such site or it has no parameters. */
 static const struct entry *
-find_site_with_params(
+find_named_site_with_params(
     struct session *s, const struct args *args, struct error *error)
 {
 	size_t at;
@@ -148,17 +151,18 @@ static bool
 copy_params_of_site(
     struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *from = find_site_with_params(s, args, error);
+	const struct entry *from = find_named_site_with_params(s, args, error);
 	if (from == NULL)
 		return false;
-	if (from == session_current_entry(s))
+	if (from == session_current_site_entry(s))
 		return error_set(error, ERROR_USAGE,
 		    "%s is the site in use: its parameters are already in use",
 		    from->key);
-	set_site_params(s, session_current_entry(s), &from->params,
-	    origin_of_params_taken(from));
-	session_note(s, "%s now has the parameters of %s (%s)",
-	    session_current_entry(s)->key, from->key, origin_source_text(from));
+	set_site_params(s, session_current_site_entry(s), &from->params,
+	    origin_new_of_copied_params(from));
+	session_print_note(s, "%s now has the parameters of %s (%s)",
+	    session_current_site_entry(s)->key, from->key,
+	    origin_of_params_text(from));
 	return true;
 }
 
@@ -168,9 +172,9 @@ static bool
 compare_params_of_sites(
     struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *mine = session_current_entry(s);
-	const struct entry *other = find_site_with_params(s, args, error);
-	if (other == NULL || !answers_require_params_of_current(s, error))
+	const struct entry *mine = session_current_site_entry(s);
+	const struct entry *other = find_named_site_with_params(s, args, error);
+	if (other == NULL || !answers_require_params_current_site(s, error))
 		return false;
 	struct params a = mine->params, b = other->params;
 	const struct breakage *of = breakage_model_of_params(&a);
@@ -180,22 +184,25 @@ compare_params_of_sites(
 		    "run 'compare' to see the difference between the products",
 		    mine->key, of->name, other->key,
 		    breakage_model_of_params(&b)->name);
-	params_scale_gauge_to_1(&a);
-	params_scale_gauge_to_1(&b);
-	struct answer *r = answer_about_site(mine->site, "params",
+	params_scale_largest_beta_to_1(&a);
+	params_scale_largest_beta_to_1(&b);
+	struct answer *r = answer_new_about_site(mine->site, "params",
 	    "parameters compared with those of %s", other->key);
-	answer_columns(r, "parameter, value: %s, other: %s, difference, unit",
-	    mine->key, other->key);
+	answer_add_columns(r,
+	    "parameter, value: %s, other: %s, difference, unit", mine->key,
+	    other->key);
 	for (size_t j = 0; j < of->n; j++) {
 		double x = a.at[j], y = b.at[j];
 		answer_add_cells(r, "%s %.4f %.4f %.4f %s",
 		    of->parameter[j].name, x, y, y - x, of->parameter[j].unit);
 	}
-	answer_put_rows_as_objects(r, "rows");
-	fields_put_values(answer_fields(r), "other_site %s", other->site->name);
+	answer_add_rows_as_json_objects(r, "rows");
+	fields_put_values(
+	    answer_json_fields(r), "other_site %s", other->site->name);
 	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key,
-	    origin_source_text(mine), other->key, origin_source_text(other),
-	    of->gauge > 0 ? "; " : "", of->gauge > 0 ? of->gauge_name : "",
+	    origin_of_params_text(mine), other->key,
+	    origin_of_params_text(other), of->gauge > 0 ? "; " : "",
+	    of->gauge > 0 ? of->gauge_name : "",
 	    of->gauge > 0 ? tr(" scaled to max 1") : "");
 	answer_note(r, "e0_min, alpha and f_mat compensate for each other: run "
 		       "'compare' to see the difference between the products");
@@ -242,16 +249,17 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 }
 
 bool
-show_bounds(struct session *s, const struct args *args, struct error *error)
+show_param_bounds(
+    struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
 	struct answer *r = answer_new("bounds");
-	answer_title(r, "search bounds");
-	answer_columns(
+	answer_set_title(r, "search bounds");
+	answer_add_columns(
 	    r, "parameter, lower: lower bound, upper: upper bound, unit");
 	const struct breakage *of = BREAKAGES[s->set.model.breakage];
-	answer_set_missing(r, "by calibrate");
+	answer_set_missing_text(r, "by calibrate");
 	for (size_t j = 0; j < of->n; j++) {
 		const struct bounds *b = &s->set.bounds;
 		bool open = j == of->reference && !(b->upper[j] > 0);
@@ -264,7 +272,7 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 
 /* Reads "a..b", or one number, which holds the parameter fixed. */
 static bool
-parse_bounds_range(const char *word, double *lower, double *upper)
+parse_param_bounds(const char *word, double *lower, double *upper)
 {
 	const char *dots = strstr(word, "..");
 	FREED char *first = dots != NULL ? xstrndup(word, (size_t)(dots - word))
@@ -278,7 +286,7 @@ bool
 cmd_bounds(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0)
-		return show_bounds(s, args, error);
+		return show_param_bounds(s, args, error);
 	if (strcmp(args->operand[0], "default") == 0) {
 		s->set.bounds = bounds_default(s->set.model.breakage);
 		return true;
@@ -300,7 +308,7 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 		    "fixed",
 		    info->name);
 	double lower, upper;
-	if (!parse_bounds_range(args->operand[1], &lower, &upper))
+	if (!parse_param_bounds(args->operand[1], &lower, &upper))
 		return error_set(error, ERROR_USAGE,
 		    "bounds: expected a range from low to high (0..1) or one "
 		    "number, got '%s'",

@@ -108,11 +108,11 @@ static void
 add_calibrated_site_rows(
     struct answer *r, const struct part_row *row, size_t n, bool programs)
 {
-	answer_column(r, "site", "site");
+	answer_add_column(r, "site", "site");
 	if (programs)
-		answer_column(r, "provenance", "provenance");
-	answer_columns(r, "f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
-			  "holdout_pct: hold-out RMSE, remark");
+		answer_add_column(r, "provenance", "provenance");
+	answer_add_columns(r, "f_mat, e0_min, alpha, misfit, rmse_pct: RMSE, "
+			      "holdout_pct: hold-out RMSE, remark");
 	for (size_t i = 0; i < n; i++) {
 		const double *number = row[i].number;
 		answer_add_cells(r, "%s", row[i].site);
@@ -125,14 +125,14 @@ add_calibrated_site_rows(
 }
 
 struct answer *
-part_calibrate_answer(const struct part_row *row, size_t n)
+part_build_calibrate_all_answer(const struct part_row *row, size_t n)
 {
 	struct answer *r = answer_new("calibrate");
 	struct sources all = {0};
 	for (size_t i = 0; i < n; i++)
 		sources_add(&all, row[i].site, row[i].source);
-	FREED char *about = sources_end(&all);
-	answer_title(r, "all sites, calibrated");
+	FREED char *about = sources_text_and_clear(&all);
+	answer_set_title(r, "all sites, calibrated");
 	answer_set_site_names(r, "all", about);
 	add_calibrated_site_rows(r, row, n, false);
 	answer_begin_table_for_programs(r);
@@ -156,7 +156,7 @@ append_digest_of_impacts(char **words, const struct impacts *impacts)
 }
 
 char *
-part_dependencies_text(const struct session *s,
+part_common_options_text(const struct session *s,
     const struct calibrate_options *o, const char *more)
 {
 	const struct breakage *of = BREAKAGES[o->settings.breakage];
@@ -192,11 +192,12 @@ digest_of_loaded_sites(const struct session *s)
 }
 
 void
-part_put_collect_fields(struct answer *answer, const struct session *s,
+part_put_fields_for_collect(struct answer *answer, const struct session *s,
     const struct part *part, const size_t *index, size_t n, const char *options)
 {
 	char digest[17];
-	struct fields *o = fields_add_object(answer_fields(answer), "part");
+	struct fields *o =
+	    fields_add_object(answer_json_fields(answer), "part");
 	snprintf(
 	    digest, sizeof digest, "%016" PRIx64, digest_of_loaded_sites(s));
 	fields_put_values(o,

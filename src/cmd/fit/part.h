@@ -29,17 +29,18 @@ bool part_has_site(const struct part *part, size_t index);
 /* Returns the answer of `calibrate all`, with a row for each site [n]: its
  * numbers are f_mat, e0_min, alpha, the misfit, its RMSE and that of the
  * held-out runs, points. */
-struct answer *part_calibrate_answer(const struct part_row *row, size_t n);
+struct answer *part_build_calibrate_all_answer(
+    const struct part_row *row, size_t n);
 
 /* Returns as text all that the results of a calibration with these options
  * depend on; all parts must agree on it.  more: further dependencies.  The
  * caller frees it. */
-char *part_dependencies_text(const struct session *s,
+char *part_common_options_text(const struct session *s,
     const struct calibrate_options *o, const char *more);
 
 /* Puts what `collect` needs to know about a part into the part's answer.  index
- * [n]: the sites of its rows; options: see part_dependencies_text. */
-void part_put_collect_fields(struct answer *answer, const struct session *s,
+ * [n]: the sites of its rows; options: see part_common_options_text. */
+void part_put_fields_for_collect(struct answer *answer, const struct session *s,
     const struct part *part, const size_t *index, size_t n,
     const char *options);
 

@@ -38,7 +38,8 @@ put_null_model_rmse(struct fields *o, const double rmse[static VALIDATE_WAYS])
 
 /* Computes the root mean square over the runs of the RMSE of each way. */
 static void
-rmse_of_each_way(const struct trials *c, double rmse[static VALIDATE_WAYS])
+rmse_of_prediction_ways(
+    const struct trials *c, double rmse[static VALIDATE_WAYS])
 {
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
 		double sum = 0;
@@ -54,11 +55,11 @@ put_null_rmse_and_winner(
 {
 	put_null_model_rmse(o, rmse);
 	fields_put_values(
-	    o, "winner %s", SCORES_WAYS[validate_best_way(rmse)].key);
+	    o, "winner %s", SCORES_WAYS[validate_way_of_least_rmse(rmse)].key);
 }
 
 static void
-put_run_size_fields(struct fields *o, const struct validation *v)
+put_run_p_size_fields(struct fields *o, const struct validation *v)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct fields *size = fields_add_object(o, PSD_KEY[i]);
@@ -79,12 +80,13 @@ put_run_sieve_fields(struct fields *o, const struct trial *item)
 {
 	const struct psd *product = &item->run->product;
 	size_t n = item->v.n_sieve;
-	fields_put_numbers(o, "sieve_mm", product->size, n, units_mm);
-	fields_put_numbers(o, "measured_pct", product->passing, n, units_pct);
+	fields_put_numbers(o, "sieve_mm", product->size, n, units_m_to_mm);
+	fields_put_numbers(
+	    o, "measured_pct", product->passing, n, units_fraction_to_pct);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
 		FREED char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
-		fields_put_numbers(
-		    o, key, trials_predicted_passing(item, way), n, units_pct);
+		fields_put_numbers(o, key, trials_predicted_passing(item, way),
+		    n, units_fraction_to_pct);
 	}
 }
 
@@ -100,10 +102,10 @@ put_held_out_run_fields(struct fields *o, const struct trial *item)
 	    o, "corrected_rmse_pct", 100 * v->rmse[VALIDATE_CORRECTED]);
 	if (item->has_band)
 		fields_put_number(o, "within", (double)item->within);
-	put_run_size_fields(o, v);
+	put_run_p_size_fields(o, v);
 	put_null_rmse_and_winner(o, v->rmse);
 	fields_put_values(o, "loses_to_interpolation %d nearest_mps %g",
-	    validation_loses_to_interpolation(v), v->nearest);
+	    validation_is_interpolation_better(v), v->nearest);
 	fields_put_numbers(o, "interpolation_mps", v->line, 2, NULL);
 	put_run_sieve_fields(o, item);
 }
@@ -120,7 +122,7 @@ put_validation_fields(struct fields *o, const struct trials *c)
 		fields_put_values(o, "holdout_each %d", true);
 	if (c->n == 0)
 		return;
-	rmse_of_each_way(c, rmse);
+	rmse_of_prediction_ways(c, rmse);
 	o = fields_add_object(o, "overall");
 	fields_put_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
 	fields_put_number(
@@ -138,50 +140,55 @@ begin_row_of_run(struct answer *r, const struct trial *item, bool exact)
 		answer_add_cells(r, "%g", item->v.speed);
 	double rpm = rotor_speed_to_rpm(item->v.speed, item->rotor);
 	if (!exact && item->in_rpm) {
-		answer_text(r, "%.0f%s", rpm, item->run->repeat);
+		answer_add_text_cell(r, "%.0f%s", rpm, item->run->repeat);
 		return;
 	}
-	answer_text(r, "%s", item->name);
+	answer_add_text_cell(r, "%s", item->name);
 	if (!exact && item->rotor > 0)
 		answer_add_cells(r, "%.0f", rpm);
 }
 
 static void
-add_sieve_rows_of_run(struct answer *r, const struct trial *item, bool exact)
+add_validation_sieve_rows(
+    struct answer *r, const struct trial *item, bool exact)
 {
 	const struct psd *product = &item->run->product;
-	answer_set_missing(r, "-");
+	answer_set_missing_text(r, "-");
 	for (size_t i = 0; i < item->v.n_sieve; i++) {
 		begin_row_of_run(r, item, exact);
 		if (exact)
-			answer_add_cells(r, "%g", units_mm(product->size[i]));
+			answer_add_cells(
+			    r, "%g", units_m_to_mm(product->size[i]));
 		else
-			answer_text(r, "%g mm, %%", units_mm(product->size[i]));
-		answer_add_cells(r, "%.1f", units_pct(product->passing[i]));
+			answer_add_text_cell(
+			    r, "%g mm, %%", units_m_to_mm(product->size[i]));
+		answer_add_cells(
+		    r, "%.1f", units_fraction_to_pct(product->passing[i]));
 		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 			answer_add_cells(r, "%.1f",
-			    units_pct(trials_predicted_passing(item, way)[i]));
+			    units_fraction_to_pct(
+				trials_predicted_passing(item, way)[i]));
 	}
 }
 
 static void
 add_rmse_cells(struct answer *r, const double *rmse)
 {
-	answer_text(r, "error, points");
-	answer_set_missing(r, "-");
+	answer_add_text_cell(r, "error, points");
+	answer_set_missing_text(r, "-");
 	answer_add_cells(r, "%.2f", NAN);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
 		answer_add_cells(r, "%.2f", 100 * rmse[way]);
 }
 
 static void
-add_size_rows_of_run(struct answer *r, const struct trial *item, bool exact)
+add_p_size_rows_of_run(struct answer *r, const struct trial *item, bool exact)
 {
 	const struct validation *v = &item->v;
-	answer_set_missing(r, "outside");
+	answer_set_missing_text(r, "outside");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		begin_row_of_run(r, item, exact);
-		answer_text(
+		answer_add_text_cell(
 		    r, exact ? "P%.0f" : N_("P%.0f mm"), 100 * PSD_PASSING[i]);
 		answer_add_cells(r, "%.3f", 1000 * v->measured[i]);
 		for (size_t way = 0; way < VALIDATE_WAYS; way++)
@@ -198,27 +205,27 @@ add_validation_table(
 	const char *unit = !exact ? "" : sieves ? "_pct" : "_mm";
 	bool in_rpm = !exact && c->n > 0 && c->item[0].in_rpm;
 	bool both = !exact && c->n > 0 && c->item[0].rotor > 0;
-	answer_columns(r, in_rpm   ? N_("speed: rpm, of: ")
-			  : both   ? N_("speed: m/s, rpm: rpm, of: ")
-			  : !exact ? N_("speed: m/s, of: ")
-			  : sieves ? N_("speed, run, sieve_mm")
-				   : N_("speed, run, size"));
-	answer_columns(r, "measured%s: measured", unit);
+	answer_add_columns(r, in_rpm   ? N_("speed: rpm, of: ")
+			      : both   ? N_("speed: m/s, rpm: rpm, of: ")
+			      : !exact ? N_("speed: m/s, of: ")
+			      : sieves ? N_("speed, run, sieve_mm")
+				       : N_("speed, run, size"));
+	answer_add_columns(r, "measured%s: measured", unit);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
 		FREED char *key = xasprintf("%s%s", SCORES_WAYS[way].key, unit);
-		answer_optional_column(
+		answer_add_optional_column(
 		    r, key, tr(SCORES_WAYS[way].head), SCORES_WAYS[way].spare);
 	}
 	for (size_t i = 0; i < c->n; i++) {
 		const struct trial *item = &c->item[i];
 		if (sieves)
-			add_sieve_rows_of_run(r, item, exact);
+			add_validation_sieve_rows(r, item, exact);
 		if (!exact) {
 			begin_row_of_run(r, item, exact);
 			add_rmse_cells(r, item->v.rmse);
 		}
 		if (!exact || !sieves)
-			add_size_rows_of_run(r, item, exact);
+			add_p_size_rows_of_run(r, item, exact);
 	}
 }
 
@@ -254,9 +261,9 @@ struct winner {
 };
 
 static struct winner
-way_with_least_rmse(const double rmse[static VALIDATE_WAYS])
+find_best_prediction_way(const double rmse[static VALIDATE_WAYS])
 {
-	enum validate_way best = validate_best_way(rmse);
+	enum validate_way best = validate_way_of_least_rmse(rmse);
 	double corrected = rmse[VALIDATE_CORRECTED];
 	double own =
 	    fmin(rmse[VALIDATE_MODEL], isnan(corrected) ? INFINITY : corrected);
@@ -271,7 +278,7 @@ way_with_least_rmse(const double rmse[static VALIDATE_WAYS])
  * nothing was measured: in whole m/s if possible or, for a sheet in rpm, in
  * whole rpm. */
 static char *
-speed_between_runs(const struct trial *item)
+speed_text_between_runs(const struct trial *item)
 {
 	const struct validation *v = &item->v;
 	double middle = (v->line[0] + v->speed) / 2, whole = round(middle);
@@ -288,7 +295,7 @@ warn_if_null_model_is_better(
     struct answer *r, const struct trial *item, const char *run)
 {
 	const struct validation *v = &item->v;
-	struct winner w = way_with_least_rmse(v->rmse);
+	struct winner w = find_best_prediction_way(v->rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	if (!w.clearly)
 		return;
@@ -297,11 +304,11 @@ warn_if_null_model_is_better(
 		xappend(&who, ", %g m/s%s", v->nearest, near);
 	FREED char *words =
 	    xasprintf(tr("at %s the model errs more than %s"), run, who);
-	FREED char *between = speed_between_runs(item);
-	if (w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v))
+	FREED char *between = speed_text_between_runs(item);
+	if (w.best == VALIDATE_INTERPOLATION && !validation_is_extrapolated(v))
 		xappend(&words, tr(": 'predict %s interpolated=on' shows both"),
 		    between);
-	answer_say(r, ANSWER_WARNING, "%s", words);
+	answer_add_sentence(r, ANSWER_WARNING, "%s", words);
 }
 
 /* Notes which way predicts best over all runs. */
@@ -309,8 +316,8 @@ static void
 note_best_way_to_predict(struct answer *r, const struct trials *c)
 {
 	double rmse[VALIDATE_WAYS];
-	rmse_of_each_way(c, rmse);
-	struct winner w = way_with_least_rmse(rmse);
+	rmse_of_prediction_ways(c, rmse);
+	struct winner w = find_best_prediction_way(rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
 	const struct trial *first = &c->item[0];
@@ -329,12 +336,12 @@ note_best_way_to_predict(struct answer *r, const struct trials *c)
 			 : N_("%s: %s predicts best"),
 		    where, who);
 	else if (!w.clearly)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "%s: the model predicts no better than %s; the difference "
 		    "is too small to be seen above the sampling error",
 		    where, who);
 	else if (!one)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "in all: the model errs more than %s", who);
 }
 
@@ -346,13 +353,13 @@ note_why_not_interpolated(struct answer *r, const struct trial *item)
 	FREED char *line =
 	    rotor_speed_rpm_text(item->rotor, v->line[0], v->line[1]);
 	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    isnan(v->line[1])
 			? N_("  no interpolation: there is one training speed")
 			: N_("  no interpolation: a training product lacks "
 			     "some of these sieves"));
-	else if (validation_extrapolates(v))
-		answer_say(r, ANSWER_REMARK,
+	else if (validation_is_extrapolated(v))
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "  interpolation extrapolates here: the line through %g "
 		    "and %g m/s%s",
 		    v->line[0], v->line[1], line);
@@ -379,11 +386,11 @@ worst_sieve_words(const struct trial *item, const char *run, bool sampled)
 				 : tr("at %s%s: at worst %s lets %.2f points "
 				      "too few pass %g mm"),
 	    run, sampled ? tr(", with the feed sampled there") : "", who,
-	    100 * fabs(off), units_mm(product->size[worst]));
+	    100 * fabs(off), units_m_to_mm(product->size[worst]));
 }
 
 static void
-note_held_out_run(
+note_error_at_held_out_run(
     struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 {
 	const struct trial *item = &c->item[i];
@@ -403,35 +410,36 @@ note_held_out_run(
 	if (c->n == 1)
 		note_best_way_to_predict(r, c);
 	if (item->open)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "  no band: the fit is poor, and two speeds do not show "
 		    "how its error changes with the speed");
 	note_why_not_interpolated(r, item);
 	if (is_worst_sieve_outlier(v))
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "  %g mm stands out (the other sieves: %.2f points on "
 		    "average): check that cell",
-		    units_mm(v->worst_sieve),
+		    units_m_to_mm(v->worst_sieve),
 		    100 * rmse_without_worst_sieve(v));
 	if (v->n_left_out > 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "  %zu finer sieves are not compared: the feed was not "
 		    "sieved so fine",
 		    v->n_left_out);
 }
 
 struct answer *
-scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
+scores_build_answer_of_site(
+    const struct trials *c, const struct site *site, bool sieves)
 {
 	double rmse[VALIDATE_WAYS];
-	struct answer *r = answer_about_site(site, "validate", "%s",
+	struct answer *r = answer_new_about_site(site, "validate", "%s",
 	    c->each ? tr("each speed held out, calibrated on the others")
 		    : tr("speeds kept as a check, measured and predicted"));
 	add_validation_table(r, c, sieves, false);
 	if (c->n > 1) {
-		rmse_of_each_way(c, rmse);
-		answer_text(r, "all");
-		answer_set_missing(r, "");
+		rmse_of_prediction_ways(c, rmse);
+		answer_add_text_cell(r, "all");
+		answer_set_missing_text(r, "");
 		if (site->rotor > 0 && !c->item[0].in_rpm)
 			answer_add_cells(r, "%.0f", NAN);
 		add_rmse_cells(r, rmse);
@@ -439,24 +447,24 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	answer_begin_table_for_programs(r);
 	add_validation_table(r, c, sieves, true);
 	for (size_t i = 0; i < c->n; i++)
-		note_held_out_run(r, c, i, site->individual_feeds);
+		note_error_at_held_out_run(r, c, i, site->individual_feeds);
 	if (c->n > 1)
 		note_best_way_to_predict(r, c);
 	if (c->n == 0)
-		answer_say(r, ANSWER_REMARK,
-		    job_count_usable_speeds(site) < JOB_FOR_EACH
+		answer_add_sentence(r, ANSWER_REMARK,
+		    job_count_trainable_speeds(site) < JOB_FOR_EACH
 			? N_("no run was held out; sample another speed to "
 			     "test the model")
 			: N_("no run was held out: 'validate holdout=each' "
 			     "holds "
 			     "out each speed in turn"));
-	put_validation_fields(answer_fields(r), c);
+	put_validation_fields(answer_json_fields(r), c);
 	return r;
 }
 
 /* Puts the bias, the RMS and the R2 of a size. */
 static void
-put_score_fields(struct fields *o, size_t i, struct validate_score score)
+put_size_score_fields(struct fields *o, size_t i, struct validate_score score)
 {
 	fields_put_values(fields_add_object(o, PSD_KEY[i]),
 	    "n %zu bias_pct %g rms_pct %g r2 %g", score.n, 100 * score.bias,
@@ -464,27 +472,28 @@ put_score_fields(struct fields *o, size_t i, struct validate_score score)
 }
 
 static void
-add_rows_of_scores(struct answer *r, const struct trials *c)
+add_prediction_score_rows(struct answer *r, const struct trials *c)
 {
-	struct fields *o = answer_fields(r), *null = NULL;
-	answer_columns(r, "size, by: predicted by, n: runs, bias_pct: bias %%, "
-			  "rms_pct: rms %%, r2: R2");
+	struct fields *o = answer_json_fields(r), *null = NULL;
+	answer_add_columns(r,
+	    "size, by: predicted by, n: runs, bias_pct: bias %%, "
+	    "rms_pct: rms %%, r2: R2");
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
 			struct validate_score score =
 			    trials_score_at_size(c, way, i);
-			answer_text(r, "P%.0f", 100 * PSD_PASSING[i]);
-			answer_name(
+			answer_add_text_cell(r, "P%.0f", 100 * PSD_PASSING[i]);
+			answer_add_keyed_cell(
 			    r, SCORES_WAYS[way].key, tr(SCORES_WAYS[way].key));
 			answer_add_cells(r, "%g %.2f %.2f %.4f",
 			    (double)score.n, 100 * score.bias, 100 * score.rms,
 			    score.r2);
 			if (way == VALIDATE_MODEL)
-				put_score_fields(o, i, score);
+				put_size_score_fields(o, i, score);
 		}
 	struct fields *corrected = fields_add_object(o, "corrected");
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		put_score_fields(corrected, i,
+		put_size_score_fields(corrected, i,
 		    trials_score_at_size(c, VALIDATE_CORRECTED, i));
 	null = fields_add_object(o, "null");
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
@@ -492,19 +501,19 @@ add_rows_of_scores(struct answer *r, const struct trials *c)
 		struct fields *own =
 		    fields_add_object(null, SCORES_WAYS[way].key);
 		for (size_t i = 0; i < PSD_SIZES; i++)
-			put_score_fields(
+			put_size_score_fields(
 			    own, i, trials_score_at_size(c, way, i));
 	}
 }
 
 static void
-note_runs_won_by_each_way(struct answer *r, const struct trials *c)
+note_runs_won_by_prediction_way(struct answer *r, const struct trials *c)
 {
 	size_t wins[VALIDATE_WAYS] = {0};
-	struct fields *o = fields_add_object(answer_fields(r), "wins");
+	struct fields *o = fields_add_object(answer_json_fields(r), "wins");
 	FREED char *list = xstrdup("");
 	for (size_t k = 0; k < c->n; k++)
-		wins[validate_best_way(c->item[k].v.rmse)]++;
+		wins[validate_way_of_least_rmse(c->item[k].v.rmse)]++;
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
 		fields_put_number(o, SCORES_WAYS[way].key, (double)wins[way]);
 		xappend_to_list(&list, ", ", "%s %zu",
@@ -515,12 +524,12 @@ note_runs_won_by_each_way(struct answer *r, const struct trials *c)
 }
 
 struct answer *
-scores_all_sites_answer(const struct trials *c)
+scores_build_answer_of_all_sites(const struct trials *c)
 {
 	struct answer *r = answer_new("validate");
 	size_t sites;
 	FREED char *about = trials_data_sources_text(c, &sites);
-	answer_title(r,
+	answer_set_title(r,
 	    c->each
 		? tr_n("sizes at each speed held out in turn, %zu site",
 		      "sizes at each speed held out in turn, %zu sites", sites)
@@ -528,13 +537,15 @@ scores_all_sites_answer(const struct trials *c)
 		      "sizes at held-out speeds, %zu sites", sites),
 	    sites);
 	answer_set_site_names(r, "all", about);
-	fields_put_values(answer_fields(r), "sites %zu runs %zu", sites, c->n);
-	add_rows_of_scores(r, c);
-	note_runs_won_by_each_way(r, c);
+	fields_put_values(
+	    answer_json_fields(r), "sites %zu runs %zu", sites, c->n);
+	add_prediction_score_rows(r, c);
+	note_runs_won_by_prediction_way(r, c);
 	if (c->each)
-		fields_put_values(answer_fields(r), "holdout_each %d", true);
+		fields_put_values(
+		    answer_json_fields(r), "holdout_each %d", true);
 	if (c->left_out > 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    c->each ? tr_n("%zu loaded site with fewer than three "
 				   "speeds: not compared",
 				  "%zu loaded sites with fewer than three "
@@ -552,7 +563,7 @@ scores_all_sites_answer(const struct trials *c)
 /* Fills number[] with the addresses of the members of a score, in a fixed
  * order. */
 static void
-point_to_score_numbers(
+collect_score_number_pointers(
     struct validation *v, double *number[static PART_NUMBERS])
 {
 	_Static_assert(
@@ -568,14 +579,14 @@ point_to_score_numbers(
 }
 
 void
-scores_put_part_rows(struct fields *o, const struct trials *c)
+scores_put_rows_for_merging(struct fields *o, const struct trials *c)
 {
 	struct fields *list = fields_add_list(o, "rows");
 	for (size_t k = 0; k < c->n; k++) {
 		struct validation v = c->item[k].v;
 		double *at[PART_NUMBERS], number[PART_NUMBERS];
 		struct fields *row = fields_add_object(list, NULL);
-		point_to_score_numbers(&v, at);
+		collect_score_number_pointers(&v, at);
 		for (size_t i = 0; i < PART_NUMBERS; i++)
 			number[i] = *at[i];
 		fields_put_values(row, "site %s source %s", c->item[k].key,
@@ -591,7 +602,7 @@ scores_add_run_of_part(struct trials *c, const struct part_row *row)
 	    .key = xstrdup(row->site),
 	    .source = xstrdup(row->source)};
 	double *at[PART_NUMBERS];
-	point_to_score_numbers(&trial.v, at);
+	collect_score_number_pointers(&trial.v, at);
 	for (size_t i = 0; i < PART_NUMBERS; i++)
 		*at[i] = row->number[i];
 	trials_add_trial(c, trial);

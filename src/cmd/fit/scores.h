@@ -10,7 +10,7 @@
 
 /* The names of a way to predict: its key, its column heading, and a noun for
  * sentences.  spare: when a narrow table leaves out its column, see
- * answer_optional_column. */
+ * answer_add_optional_column. */
 struct scores_way {
 	const char *key, *head, *noun;
 	int spare;
@@ -25,15 +25,15 @@ void put_null_model_rmse(
 /* Returns the answer on the held-out runs of one site: fields, tables, and
  * which way predicts best.  sieves: show every sieve; for programs instead of
  * P20, P50 and P80. */
-struct answer *scores_site_answer(
+struct answer *scores_build_answer_of_site(
     const struct trials *c, const struct site *site, bool sieves);
 
 /* Returns the answer of `validate all`. */
-struct answer *scores_all_sites_answer(const struct trials *c);
+struct answer *scores_build_answer_of_all_sites(const struct trials *c);
 
-/* scores_put_part_rows puts the runs as "rows" into the answer of a part;
- * scores_add_run_of_part reads one of these rows. */
-void scores_put_part_rows(struct fields *o, const struct trials *c);
+/* scores_put_rows_for_merging puts the runs as "rows" into the answer of a
+ * part; scores_add_run_of_part reads one of these rows. */
+void scores_put_rows_for_merging(struct fields *o, const struct trials *c);
 void scores_add_run_of_part(struct trials *c, const struct part_row *row);
 
 #endif

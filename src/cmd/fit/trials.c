@@ -33,7 +33,7 @@ trials_add_trial(struct trials *c, struct trial trial)
 }
 
 void
-trials_append(struct trials *c, struct trials *from)
+trials_append_all(struct trials *c, struct trials *from)
 {
 	c->left_out += from->left_out;
 	for (size_t i = 0; i < from->n; i++)
@@ -53,7 +53,7 @@ trials_data_sources_text(const struct trials *c, size_t *sites)
 		++*sites;
 		sources_add(&all, c->item[k].key, c->item[k].source);
 	}
-	return sources_end(&all);
+	return sources_text_and_clear(&all);
 }
 
 const double *
@@ -89,7 +89,7 @@ corrected_passings_of_run(const struct run *run,
 	ensemble_mean_answer(e, passing);
 	for (size_t i = 0; i < n; i++) {
 		double P = run->product.passing[i], low, high;
-		ensemble_row_interval(
+		ensemble_interval_at_sieve(
 		    e, ENSEMBLE_SAMPLE, i, level, &low, &high);
 		/* Site files are rounded to 0.01 %. */
 		*within += P >= low - 1e-4 && P <= high + 1e-4;
@@ -99,14 +99,15 @@ corrected_passings_of_run(const struct run *run,
 }
 
 static void
-add_trial_of_run(struct trials *c, const struct entry *entry,
+add_trial_of_held_out_run(struct trials *c, const struct entry *entry,
     const struct predicted_by *by, size_t r)
 {
 	const struct site *site = entry->site;
 	const struct run *run = &site->run[r];
 	struct trial trial = {.entry = by->entry,
 	    .key = xstrdup(entry->key),
-	    .source = site_source_clause(site, "provenance not stated"),
+	    .source =
+		site_provenance_first_clause(site, "provenance not stated"),
 	    .name = xasprintf("%g%s", run->speed, run->repeat),
 	    .rotor = site->rotor,
 	    .in_rpm = answers_is_sheet_in_rpm(site),
@@ -133,15 +134,15 @@ trials_add_held_out_runs(
 	for (size_t r = 0; r < entry->site->n_run; r++)
 		if (!by->train[r] &&
 		    misfit_count_covered_sieves(&entry->site->run[r]) > 0)
-			add_trial_of_run(c, entry, by, r);
+			add_trial_of_held_out_run(c, entry, by, r);
 }
 
 void
-trials_add_held_out_of_entry(struct trials *c, const struct session *s,
+trials_add_held_out_runs_of_site(struct trials *c, const struct session *s,
     size_t index, const struct posterior *posterior)
 {
 	const struct entry *entry = &s->entry[index];
-	const struct fit *fit = origin_source_fit(entry);
+	const struct fit *fit = origin_fit_behind_params(entry);
 	trials_add_held_out_runs(c, s,
 	    &(struct predicted_by){index, entry->train, entry->params,
 		s->set.model, posterior, fit != NULL ? fit->rmse : 0});

@@ -52,17 +52,17 @@ void trials_add_held_out_runs(
 
 /* As trials_add_held_out_runs, with the entry's own parameters.  posterior:
  * corrects them, or NULL. */
-void trials_add_held_out_of_entry(struct trials *c, const struct session *s,
+void trials_add_held_out_runs_of_site(struct trials *c, const struct session *s,
     size_t index, const struct posterior *posterior);
 
 /* Adds a run and takes ownership of its strings and arrays. */
 void trials_add_trial(struct trials *c, struct trial trial);
 
 /* Moves the runs of `from` to the end of `c`. */
-void trials_append(struct trials *c, struct trials *from);
+void trials_append_all(struct trials *c, struct trials *from);
 
-/* Returns the sources of the runs' data (sources_end), and the number of their
- * sites.  The caller frees the text. */
+/* Returns the sources of the runs' data (sources_text_and_clear), and the
+ * number of their sites.  The caller frees the text. */
 char *trials_data_sources_text(const struct trials *c, size_t *sites);
 
 /* Returns what a way predicts at the sieves of a run, [v.n_sieve]. */

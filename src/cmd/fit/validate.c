@@ -40,7 +40,7 @@ free_validation(void *of)
 }
 
 static void
-note_rmse_of_each_run(const struct session *s, const struct trials *found)
+print_rmse_of_each_run(const struct session *s, const struct trials *found)
 {
 	for (size_t i = 0; i < found->n; i++) {
 		const struct trial *item = &found->item[i];
@@ -48,7 +48,7 @@ note_rmse_of_each_run(const struct session *s, const struct trials *found)
 		bool drawn = !isnan(rmse[VALIDATE_CORRECTED]);
 		FREED char *rpm =
 		    rotor_speed_rpm_text(item->rotor, item->v.speed, NAN);
-		session_note(s,
+		session_print_note(s,
 		    drawn ? N_("  %s at %s m/s%s: RMSE %.2f points, "
 			       "corrected %.2f")
 			  : N_("  %s at %s m/s%s: RMSE %.2f points (%.2f "
@@ -60,19 +60,20 @@ note_rmse_of_each_run(const struct session *s, const struct trials *found)
 }
 
 static void
-show_validation_of_all(struct session *s, const struct validating *c)
+show_validation_of_all_sites(struct session *s, const struct validating *c)
 {
 	const struct trials *runs = &c->runs;
-	struct answer *r = scores_all_sites_answer(runs);
+	struct answer *r = scores_build_answer_of_all_sites(runs);
 	if (c->part.of > 0) {
 		FREED size_t *index = xcalloc(runs->n + 1, sizeof *index);
 		for (size_t i = 0; i < runs->n; i++)
 			index[i] = runs->item[i].entry;
-		part_put_collect_fields(
+		part_put_fields_for_collect(
 		    r, s, &c->part, index, runs->n, c->options);
-		fields_put_values(answer_fields(r), "left_out %zu each %zu",
-		    runs->left_out, (size_t)runs->each);
-		scores_put_part_rows(answer_fields(r), runs);
+		fields_put_values(answer_json_fields(r),
+		    "left_out %zu each %zu", runs->left_out,
+		    (size_t)runs->each);
+		scores_put_rows_for_merging(answer_json_fields(r), runs);
 	}
 	session_show_answer(s, r);
 }
@@ -81,7 +82,7 @@ show_validation_of_all(struct session *s, const struct validating *c)
 static bool
 has_speeds_to_hold_out(const struct entry *entry)
 {
-	return job_count_usable_speeds(entry->site) >= JOB_FOR_EACH;
+	return job_count_trainable_speeds(entry->site) >= JOB_FOR_EACH;
 }
 
 static bool
@@ -98,7 +99,7 @@ has_held_out_run(const struct entry *entry)
 
 /* True if runs of the site can be compared. */
 static bool
-can_compare_site(
+can_validate_site(
     const struct session *s, const struct validating *c, size_t index)
 {
 	struct error none = {0};
@@ -113,12 +114,12 @@ can_compare_site(
 /* Prepares the next site to compare or, with holdout=each, the next speed to
  * hold out. */
 static bool
-prepare_next_comparison(struct session *s)
+prepare_next_validation(struct session *s)
 {
 	struct validating *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
 		const struct site *site = s->entry[c->at].site;
-		if (!can_compare_site(s, c, c->at))
+		if (!can_validate_site(s, c, c->at))
 			continue;
 		s->job.entry = c->at;
 		if (!c->runs.each) {
@@ -136,7 +137,7 @@ prepare_next_comparison(struct session *s)
 /* Compares the runs at the held-out speed with predictions by the task's
  * calibration, which used the other speeds.  Returns NULL if stopped. */
 static void *
-compare_at_held_out_speed(const struct session *s, const struct job_task *task)
+validate_at_held_out_speed(const struct session *s, const struct job_task *task)
 {
 	const struct validating *c = s->job.of;
 	const struct site *site = s->entry[task->entry].site;
@@ -168,30 +169,32 @@ compare_at_held_out_speed(const struct session *s, const struct job_task *task)
 /* Compares the runs that the calibration of a site held out.  Returns NULL if
  * stopped. */
 static void *
-compare_at_calibrated_site(const struct session *s, const struct job_task *task)
+validate_held_out_runs_of_site(
+    const struct session *s, const struct job_task *task)
 {
 	if (task->stop != NULL && task->stop())
 		return NULL;
 	struct posterior *posterior =
 	    posterior_new_of_training_runs(s, &s->entry[task->entry]);
 	struct validating *found = xcalloc(1, sizeof *found);
-	trials_add_held_out_of_entry(&found->runs, s, task->entry, posterior);
+	trials_add_held_out_runs_of_site(
+	    &found->runs, s, task->entry, posterior);
 	posterior_free(posterior);
 	return found;
 }
 
 static void
-append_held_out_results(struct session *s)
+append_validation_results(struct session *s)
 {
 	struct validating *c = s->job.of, *found = s->job.found;
 	if (c->all)
-		note_rmse_of_each_run(s, &found->runs);
-	trials_append(&c->runs, &found->runs);
+		print_rmse_of_each_run(s, &found->runs);
+	trials_append_all(&c->runs, &found->runs);
 	free_validation(found);
 }
 
 static char *
-name_of_comparison(const struct session *s)
+name_of_validation_task(const struct session *s)
 {
 	const struct validating *c = s->job.of;
 	const struct entry *entry = &s->entry[s->job.entry];
@@ -204,38 +207,38 @@ name_of_comparison(const struct session *s)
 }
 
 static void
-show_held_out_results(struct session *s, void *of)
+show_validation_results(struct session *s, void *of)
 {
 	struct validating *c = of;
 	if (c->all)
-		show_validation_of_all(s, c);
+		show_validation_of_all_sites(s, c);
 	else
 		session_show_answer(
-		    s, scores_site_answer(
+		    s, scores_build_answer_of_site(
 			   &c->runs, s->entry[c->end - 1].site, c->sieves));
 	free_validation(c);
 }
 
-static const struct job_type EACH = {.next = prepare_next_comparison,
-    .take = append_held_out_results,
-    .end = show_held_out_results,
+static const struct job_type EACH = {.next = prepare_next_validation,
+    .take = append_validation_results,
+    .end = show_validation_results,
     .drop = free_validation,
-    .task_words = name_of_comparison,
+    .task_words = name_of_validation_task,
     .useless = N_("stopped before all speeds were predicted"),
-    .follow = compare_at_held_out_speed};
+    .follow = validate_at_held_out_speed};
 
-static const struct job_type CALIBRATED = {.next = prepare_next_comparison,
-    .take = append_held_out_results,
-    .end = show_held_out_results,
+static const struct job_type CALIBRATED = {.next = prepare_next_validation,
+    .take = append_validation_results,
+    .end = show_validation_results,
     .drop = free_validation,
-    .task_words = name_of_comparison,
+    .task_words = name_of_validation_task,
     .useless = N_("stopped before all sites were compared"),
-    .follow = compare_at_calibrated_site};
+    .follow = validate_held_out_runs_of_site};
 
 /* True if a part may be empty: those of its sites that can be calibrated have
  * been, and other parts have sites to compare. */
 static bool
-may_part_be_empty(const struct session *s, const struct validating *c)
+may_part_of_sites_be_empty(const struct session *s, const struct validating *c)
 {
 	bool others = false, forgotten = false;
 	for (size_t i = 0; i < s->n_entry; i++) {
@@ -263,12 +266,12 @@ append_options_of_fit(char **list, const struct entry *entry)
 /* Shows the answer of a part that may be empty; otherwise fails.  refused: the
  * error about the first calibrated site that cannot be compared, if any. */
 static bool
-show_none_to_compare(struct session *s, struct validating *c,
+show_empty_validation_or_fail(struct session *s, struct validating *c,
     const struct error *refused, struct error *error)
 {
 	const struct part *part = &c->part;
-	if (may_part_be_empty(s, c))
-		show_validation_of_all(s, c);
+	if (may_part_of_sites_be_empty(s, c))
+		show_validation_of_all_sites(s, c);
 	else if (c->runs.each)
 		error_set(error, ERROR_DATA,
 		    "holdout=each: expected products at three or more speeds, "
@@ -295,7 +298,8 @@ show_none_to_compare(struct session *s, struct validating *c,
  * allow the parameters of some calibrated sites, the answer is about the
  * others, and an error about those follows it. */
 static bool
-begin_comparisons(struct session *s, struct validating *c, struct error *error)
+begin_validation_of_sites(
+    struct session *s, struct validating *c, struct error *error)
 {
 	struct error refused = {0};
 	size_t n = 0, n_fit = 0, n_refused = 0;
@@ -303,12 +307,12 @@ begin_comparisons(struct session *s, struct validating *c, struct error *error)
 	const struct job job = {.type = c->runs.each ? &EACH : &CALIBRATED,
 	    .of = c,
 	    .apart = c->all,
-	    .options = job_default_options(s)};
+	    .options = job_options_from_settings(s)};
 	for (size_t i = c->at; i < c->end; i++) {
 		struct error e = {0};
 		const struct entry *entry = &s->entry[i];
 		bool fit = entry->has_fit && !c->runs.each,
-		     compared = can_compare_site(s, c, i);
+		     compared = can_validate_site(s, c, i);
 		if (!part_has_site(&c->part, i))
 			continue;
 		n_fit += fit;
@@ -322,7 +326,7 @@ begin_comparisons(struct session *s, struct validating *c, struct error *error)
 		n += compared;
 		c->runs.left_out += !compared;
 	}
-	c->options = part_dependencies_text(
+	c->options = part_common_options_text(
 	    s, &job.options, c->runs.each ? "each" : fits);
 	if (n_refused > 0 && s->invocation != NULL)
 		error_set(&s->invocation->late, refused.kind,
@@ -330,7 +334,7 @@ begin_comparisons(struct session *s, struct validating *c, struct error *error)
 		    "%s\n%s",
 		    n_refused, n_fit, keys, refused.text, refused.hint);
 	if (n == 0)
-		return show_none_to_compare(s, c, &refused, error);
+		return show_empty_validation_or_fail(s, c, &refused, error);
 	session_discard_paused_job(s);
 	return job_start(s, &job);
 }
@@ -339,16 +343,17 @@ static bool
 validate_current_site(
     struct session *s, struct validating *c, struct error *error)
 {
-	if (!answers_require_params_of_current(s, error))
+	if (!answers_require_params_current_site(s, error))
 		return false;
-	const struct entry *entry = session_current_entry(s);
-	trials_add_held_out_of_entry(&c->runs, s, s->current,
+	const struct entry *entry = session_current_site_entry(s);
+	trials_add_held_out_runs_of_site(&c->runs, s, s->current,
 	    posterior_of_calibration(s, entry, CORRECTION_TRAIN));
-	struct answer *r = scores_site_answer(&c->runs, entry->site, c->sieves);
+	struct answer *r =
+	    scores_build_answer_of_site(&c->runs, entry->site, c->sieves);
 	if (entry->has_fit)
-		fields_put_values(answer_fields(r), "verdict %s",
+		fields_put_values(answer_json_fields(r), "verdict %s",
 		    verdict_on_fit(s, entry, NULL));
-	answers_show_fit_basis(s, r, entry, false);
+	answers_note_fit_basis_and_trust(s, r, entry, false);
 	return session_show_answer(s, r);
 }
 
@@ -367,7 +372,7 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 		    "validate all: expected no sieves=on; it sums up over the "
 		    "sites");
 	if (!part_from_args(args, all, &part, error) ||
-	    (each && !fit_check_settings_agree(
+	    (each && !fit_check_settings_allow_model(
 			 &s->set.model, s->set.model.breakage, error)))
 		return false;
 	struct validating *c = xcalloc(1, sizeof *c);
@@ -380,7 +385,7 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 		.each = each,
 		.level = settings_band_probability(&s->set)}};
 	if (all || each)
-		return begin_comparisons(s, c, error);
+		return begin_validation_of_sites(s, c, error);
 	bool ok = validate_current_site(s, c, error);
 	free_validation(c);
 	return ok;

@@ -81,7 +81,7 @@ is_option_or_bare_range(const struct command *command, const char *word)
 }
 
 const struct command *
-command_meant_by_words(
+command_find_by_options(
     const struct command *command, char *const *word, size_t n)
 {
 	const struct command *found = command;
@@ -113,7 +113,7 @@ command_find(const char *name)
 
 /* True if a one-word name of the command begins with `start`. */
 static bool
-has_name_beginning_with(const struct command *c, const char *start)
+has_name_or_alias_beginning_with(const struct command *c, const char *start)
 {
 	size_t n = strlen(start);
 	return strncmp(c->name, start, n) == 0 ||
@@ -134,7 +134,7 @@ command_find_abbreviated(const char *name, bool prompt)
 	size_t n = strlen(start) < LEAST && !leaves ? LEAST : 0;
 	const struct command *exact = command_find(start);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (!has_name_beginning_with(c, start))
+		if (!has_name_or_alias_beginning_with(c, start))
 			continue;
 		found = c;
 		n++;
@@ -148,7 +148,7 @@ command_names_beginning_with(const char *name)
 	char *list = xstrdup("");
 	FREED char *start = text_fold_case_and_accents(name);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		if (has_name_beginning_with(c, start))
+		if (has_name_or_alias_beginning_with(c, start))
 			xappend_to_list(&list, ", ", "%s", c->name);
 	return list;
 }
@@ -183,7 +183,8 @@ command_nearest_name(const char *name)
 
 /* Appends the parameters of a model that no model before it has. */
 static void
-add_parameter_options(const struct breakage *model, struct command_option *row)
+add_command_options_of_params(
+    const struct breakage *model, struct command_option *row)
 {
 	bool own = model != BREAKAGES[0] && !model->bypass;
 	for (size_t j = 0; j < model->n; j++) {
@@ -210,20 +211,20 @@ add_parameter_options(const struct breakage *model, struct command_option *row)
 /* Returns option i of `params`, which takes the parameters of all models; makes
  * the rows of these on first use. */
 static const struct command_option *
-command_parameter_option_at(size_t i)
+params_command_option_at(size_t i)
 {
 	static struct command_option row[OPTIONS + 1];
 	bool made = row[0].name != NULL;
 	for (size_t m = 0; !made && m < breakage_count_models(); m++)
-		add_parameter_options(BREAKAGES[m], row);
+		add_command_options_of_params(BREAKAGES[m], row);
 	return &row[i];
 }
 
 const struct command_option *
-command_own_option(const struct command *command, size_t i)
+command_own_option_at(const struct command *command, size_t i)
 {
 	const struct command_option *o =
-	    command->flags & COMMAND_PARAMS ? command_parameter_option_at(i)
+	    command->flags & COMMAND_PARAMS ? params_command_option_at(i)
 	    : command->option != NULL       ? &command->option[i]
 					    : NULL;
 	return o != NULL && o->name != NULL ? o : NULL;
@@ -245,14 +246,14 @@ const struct command_option *
 command_option_at(const struct command *command, size_t i)
 {
 	size_t own = 0;
-	while (own <= i && command_own_option(command, own) != NULL)
+	while (own <= i && command_own_option_at(command, own) != NULL)
 		own++;
-	return own > i ? command_own_option(command, i)
+	return own > i ? command_own_option_at(command, i)
 		       : option_at_index(command->shared, i - own);
 }
 
 const struct command_option *
-command_shared_option(size_t i)
+command_shared_option_at(size_t i)
 {
 	static const struct command_option *const ALL[] = {SHARED_RPM,
 	    SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
@@ -311,7 +312,8 @@ command_usage_text(const struct command *command)
 	if (command->operands.usage != NULL)
 		xappend(&usage, " %s", command->operands.usage);
 	const struct command_option *o;
-	for (size_t i = 0; (o = command_own_option(command, i)) != NULL; i++) {
+	for (size_t i = 0; (o = command_own_option_at(command, i)) != NULL;
+	     i++) {
 		FREED char *part =
 		    xasprintf(" [%s=%s]", o->name, option_placeholder(o));
 		for (char *p = part + 1; *p != '\0'; p++)
@@ -334,12 +336,13 @@ option_limit_text(double limit)
 const char *
 option_choices(const struct command_option *o)
 {
-	return o->kind == VALUE_CHOICE && o->choices == NULL ? breakage_names()
-							     : o->choices;
+	return o->kind == VALUE_CHOICE && o->choices == NULL
+		   ? breakage_model_names()
+		   : o->choices;
 }
 
 char *
-command_option_limits_text(const struct command_option *o)
+command_option_valid_values_text(const struct command_option *o)
 {
 	if (o->kind == VALUE_TEXT)
 		return xstrdup("text");
@@ -366,9 +369,9 @@ command_option_limits_text(const struct command_option *o)
 }
 
 char *
-command_option_text(const struct command_option *o)
+command_option_help_text(const struct command_option *o)
 {
-	FREED char *limits = command_option_limits_text(o);
+	FREED char *limits = command_option_valid_values_text(o);
 	return xasprintf(
 	    o->fallback[0] != '\0' ? tr("%s (%s), default %s") : "%s (%s)%s",
 	    tr(o->brief), limits, o->fallback);

@@ -168,7 +168,7 @@ struct command {
 	const char *name, *alias, *brief;
 	/* Commands that are meant instead if the line has an option that only
 	 * they have, or a range of speeds ("predict 65..85"); see
-	 * command_meant_by_words. */
+	 * command_find_by_options. */
 	const char *others[3];
 	struct command_operands operands;
 	unsigned flags; /* command_flag */
@@ -213,7 +213,7 @@ const char *command_other_name(const struct command *command);
 
 /* Returns the command that the words after its name call for: one of its
  * `others`, or the command itself. */
-const struct command *command_meant_by_words(
+const struct command *command_find_by_options(
     const struct command *command, char *const *word, size_t n);
 
 /* Returns the command with exactly this name or alias, or NULL. */
@@ -233,13 +233,13 @@ const char *command_nearest_name(const char *name);
 
 /* Return option i, from 0, or NULL after the last.  command_option_at counts
  * the command's own options, then those that it shares with others;
- * command_own_option only its own; command_shared_option those that any
+ * command_own_option_at only its own; command_shared_option_at those that any
  * commands share. */
 const struct command_option *command_option_at(
     const struct command *command, size_t i);
-const struct command_option *command_own_option(
+const struct command_option *command_own_option_at(
     const struct command *command, size_t i);
-const struct command_option *command_shared_option(size_t i);
+const struct command_option *command_shared_option_at(size_t i);
 
 /* Returns the names of the options that the command shares with others, "feed,
  * cascade", or "".  The caller frees it. */
@@ -254,7 +254,7 @@ char *command_usage_text(const struct command *command);
 
 /* Returns the help about an option: "brief (limits), default D".  The caller
  * frees it. */
-char *command_option_text(const struct command_option *option);
+char *command_option_help_text(const struct command_option *option);
 
 /* Returns the words of a choice, "on off", which are the breakage models if it
  * has none; for a text, what completion offers, as `expect` of operands; for
@@ -263,7 +263,7 @@ const char *option_choices(const struct command_option *option);
 
 /* Returns the values that an option may have: "1 to 200 m/s" or "on, off".  The
  * caller frees it. */
-char *command_option_limits_text(const struct command_option *option);
+char *command_option_valid_values_text(const struct command_option *option);
 
 /* True if the value names a file. */
 bool value_is_file(

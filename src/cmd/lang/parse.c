@@ -53,7 +53,7 @@ find_closing_single_quote(
 /* Copies the word at *at and moves *at past it.  Returns false if a quote is
  * not closed.  The caller frees the word in either case. */
 static bool
-copy_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
+parse_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
 {
 	bool quoted = false;
 	size_t i = *at, open;
@@ -74,9 +74,9 @@ copy_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
 }
 
 static bool
-error_open_quote(struct place place, int column, struct error *error)
+error_unclosed_quote(struct place place, int column, struct error *error)
 {
-	return error_at(error, ERROR_USAGE, place.file, place.line, column,
+	return error_set_at(error, ERROR_USAGE, place.file, place.line, column,
 	    "a quote (\") is not closed\n"
 	    "add the closing \", or remove the opening one");
 }
@@ -109,10 +109,10 @@ parse_redirection_file(const char *line, size_t *at, struct place place,
 	words->to = append ? TO_APPEND : TO_FILE;
 	*at = skip_blanks(line, *at + (append ? 2 : 1));
 	int column = column_of_offset(line, words, *at);
-	if (!copy_word_of_line(line, at, false, &words->target))
-		return error_open_quote(place, column, error);
+	if (!parse_word_of_line(line, at, false, &words->target))
+		return error_unclosed_quote(place, column, error);
 	if (words->target[0] == '\0')
-		return error_at(error, ERROR_USAGE, place.file, place.line,
+		return error_set_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column,
 		    "expected a file name after %s\n"
 		    "write: predict 74 > product.csv",
@@ -120,7 +120,7 @@ parse_redirection_file(const char *line, size_t *at, struct place place,
 	*at = skip_blanks(line, *at);
 	if (line[*at] == '\0' || line[*at] == ';' || line[*at] == '#')
 		return true;
-	return error_at(error, ERROR_USAGE, place.file, place.line,
+	return error_set_at(error, ERROR_USAGE, place.file, place.line,
 	    column_of_offset(line, words, *at),
 	    "expected nothing after the file '%s'\n"
 	    "quote a name with spaces: > \"my file.csv\"; use one > or | in a "
@@ -135,7 +135,7 @@ parse_redirection(const char *line, size_t *at, struct place place,
 	char sign = line[*at];
 	words->to_column = column_of_offset(line, words, *at);
 	if (words->n == 0)
-		return error_at(error, ERROR_USAGE, place.file, place.line,
+		return error_set_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column, "expected a command before %c", sign);
 	if (sign == '>')
 		return parse_redirection_file(line, at, place, words, error);
@@ -143,7 +143,7 @@ parse_redirection(const char *line, size_t *at, struct place place,
 	*at = words->next;
 	if (good)
 		return true;
-	return error_at(error, ERROR_USAGE, place.file, place.line,
+	return error_set_at(error, ERROR_USAGE, place.file, place.line,
 	    words->to_column,
 	    "expected a shell command after |\n"
 	    "write: sweep | less");
@@ -151,7 +151,7 @@ parse_redirection(const char *line, size_t *at, struct place place,
 
 /* True if > and | are ordinary words of the command. */
 static bool
-are_redirections_words(const struct words *words)
+are_redirections_plain_words(const struct words *words)
 {
 	return words->command != NULL &&
 	       (words->command->flags & COMMAND_VERBATIM) != 0;
@@ -221,17 +221,17 @@ join_unit_to_number(struct words *words)
 }
 
 static bool
-copy_and_add_word(const char *line, size_t *at, struct place place,
+parse_and_add_word(const char *line, size_t *at, struct place place,
     bool verbatim, struct words *words, struct error *error)
 {
 	int column = column_of_offset(line, words, *at);
 	if (words->n == OPERANDS)
-		return error_at(error, ERROR_USAGE, place.file, place.line,
+		return error_set_at(error, ERROR_USAGE, place.file, place.line,
 		    column, "more than %d words", (int)OPERANDS);
 	size_t i = words->n++;
 	words->column[i] = column;
-	if (!copy_word_of_line(line, at, verbatim, &words->text[i]))
-		return error_open_quote(place, column, error);
+	if (!parse_word_of_line(line, at, verbatim, &words->text[i]))
+		return error_unclosed_quote(place, column, error);
 	if (i == 0)
 		words->command =
 		    command_find_abbreviated(words->text[0], place.prompt);
@@ -247,7 +247,7 @@ copy_and_add_word(const char *line, size_t *at, struct place place,
  * command is unknown, >= counts as a limit, so that the error is about the
  * command. */
 static bool
-is_limit_sign(const char *line, size_t at, const struct words *words)
+is_limit_not_redirection(const char *line, size_t at, const struct words *words)
 {
 	const struct command *command = words->command;
 	if (command == NULL)
@@ -279,7 +279,7 @@ add_limit_sign_as_word(const char *line, size_t *at, struct words *words)
 }
 
 bool
-words_split(const char *line, size_t from, struct place place,
+words_split_line(const char *line, size_t from, struct place place,
     struct words *words, struct error *error)
 {
 	size_t i = skip_blanks(line, from), begin = i, end = i;
@@ -292,15 +292,15 @@ words_split(const char *line, size_t from, struct place place,
 	words->reached = place.column > 0 ? from : 0;
 	words->reached_column = place.column > 0 ? place.column : 1;
 	while (line[i] != '\0' && line[i] != '#' && line[i] != ';') {
-		bool verbatim = are_redirections_words(words);
+		bool verbatim = are_redirections_plain_words(words);
 		bool sign = line[i] == '>' || line[i] == '|';
 		bool ok = true;
-		if (sign && is_limit_sign(line, i, words))
+		if (sign && is_limit_not_redirection(line, i, words))
 			add_limit_sign_as_word(line, &i, words);
 		else if (sign && !verbatim)
 			ok = parse_redirection(line, &i, place, words, error);
 		else
-			ok = copy_and_add_word(
+			ok = parse_and_add_word(
 			    line, &i, place, verbatim, words, error);
 		if (!ok)
 			return false;
@@ -349,7 +349,7 @@ value_is_speed(const char *word)
 }
 
 const char *
-value_parse_blend_feed(const char *text, size_t *length, double *share)
+value_parse_feed_and_share(const char *text, size_t *length, double *share)
 {
 	for (const char *star = strchr(text, '*'); star != NULL;
 	     star = strchr(star + 1, '*')) {
@@ -387,18 +387,18 @@ hint_decimal_format(
 	double low, high;
 	strip_unit(copy, option->unit);
 	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
-		error_hint(
+		error_set_hint(
 		    error, RPM_HINT, (int)strspn(word, "0123456789."), word);
 	} else if (comma != NULL) {
 		*comma = '.';
 		bool right = text_parse_number(copy, &low);
-		error_hint(
+		error_set_hint(
 		    error, "use a decimal point: %s", right ? copy : "11.2");
 	} else if (dash != NULL && option->kind == VALUE_NUMBERS) {
 		*dash = '\0';
 		if (text_parse_number(copy, &low) &&
 		    text_parse_number(dash + 1, &high))
-			error_hint(error,
+			error_set_hint(error,
 			    "write a range with two points: %s..%s", copy,
 			    dash + 1);
 	}
@@ -427,7 +427,7 @@ parse_number_in_limits(const struct command_option *option, const char *word,
 		    option->least, option->most, space, option->unit, word);
 		return *value > option->most &&
 		       strcmp(option->unit, "m/s") == 0 &&
-		       error_hint(error, RPM_HINT,
+		       error_set_hint(error, RPM_HINT,
 			   (int)strspn(word, "0123456789."), word);
 	}
 	return true;
@@ -520,7 +520,7 @@ static bool
 error_expected_whole_number(
     const struct command_option *option, const char *word, struct error *error)
 {
-	FREED char *limits = command_option_limits_text(option);
+	FREED char *limits = command_option_valid_values_text(option);
 	error_set(error, ERROR_USAGE,
 	    "%s: expected a whole number, %s; got '%s'", option->name, limits,
 	    word);
@@ -529,9 +529,10 @@ error_expected_whole_number(
 
 /* Sets the error for an option without a value.  Returns false. */
 static bool
-error_missing_value(const struct command_option *option, struct error *error)
+error_option_without_value(
+    const struct command_option *option, struct error *error)
 {
-	FREED char *limits = command_option_limits_text(option);
+	FREED char *limits = command_option_valid_values_text(option);
 	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
 	    limits);
 	return false;
@@ -542,7 +543,7 @@ error_wrong_choice(
     const struct command_option *option, const char *word, struct error *error)
 {
 	if (word[0] == '\0')
-		return error_missing_value(option, error);
+		return error_option_without_value(option, error);
 	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
 	    option->name, option_choices(option), word);
 	char *copy = xstrdup(option_choices(option)), *save = NULL;
@@ -550,7 +551,7 @@ error_wrong_choice(
 	for (char *choice = strtok_r(copy, " ", &save); choice != NULL;
 	     choice = strtok_r(NULL, " ", &save))
 		if (text_edit_distance(choice, folded) <= strlen(choice) / 3)
-			error_hint(error, "did you mean '%s'?", choice);
+			error_set_hint(error, "did you mean '%s'?", choice);
 	free(copy);
 	return false;
 }
@@ -568,7 +569,8 @@ value_parse(const struct command_option *option, const char *word,
 		if (value_parse_number(word, option->unit, &value->number))
 			return parse_number_in_limits(
 			    option, word, &value->number, error);
-		return word[0] != '\0' || error_missing_value(option, error);
+		return word[0] != '\0' ||
+		       error_option_without_value(option, error);
 	case VALUE_NUMBERS:
 		return parse_list_of_numbers(option, word, value, error);
 	case VALUE_WHOLE:
@@ -600,17 +602,17 @@ error_unknown_option(
 		size_t far = text_edit_distance(o->name, name);
 		if (far > 2 || far >= strlen(name))
 			continue;
-		error_hint(error, "did you mean '%s'?", o->name);
+		error_set_hint(error, "did you mean '%s'?", o->name);
 		return;
 	}
 	FREED char *usage = command_usage_text(command);
-	error_hint(error, "usage: %s", usage);
+	error_set_hint(error, "usage: %s", usage);
 }
 
 /* Returns the index of an option; OPTIONS, with an error, if there is no such
  * option or it was given before. */
 static size_t
-find_option_not_given(
+find_option_refuse_repeated(
     const struct args *args, const char *name, struct error *error)
 {
 	size_t i = command_option_index(args->command, name);
@@ -638,7 +640,7 @@ parse_option_value(
 /* Parses one word after the command's name: key=value, the value of the bare
  * option, or an operand. */
 static bool
-parse_argument(
+parse_one_command_argument(
     const char *word, int column, struct args *args, struct error *error)
 {
 	const struct command *command = args->command;
@@ -650,7 +652,7 @@ parse_argument(
 	size_t i = OPTIONS;
 	if (is_key && command_option_at(command, 0) != NULL) {
 		FREED char *name = xstrndup(word, key);
-		i = find_option_not_given(args, name, error);
+		i = find_option_refuse_repeated(args, name, error);
 		if (i == OPTIONS)
 			return false;
 		word = equals + 1;
@@ -669,12 +671,12 @@ parse_argument(
 /* Returns false with an error if the last word is a setting without its value:
  * "set method". */
 static bool
-check_is_no_setting(
+refuse_setting_without_value(
     const struct command *command, const char *word, struct error *error)
 {
 	size_t i = command_option_index(command, word);
 	return i == OPTIONS ||
-	       error_missing_value(command_option_at(command, i), error);
+	       error_option_without_value(command_option_at(command, i), error);
 }
 
 /* Parses "method classes", which means "method=classes". */
@@ -682,14 +684,14 @@ static bool
 parse_option_as_two_words(
     const char *name, const char *word, struct args *args, struct error *error)
 {
-	size_t i = find_option_not_given(args, name, error);
+	size_t i = find_option_refuse_repeated(args, name, error);
 	return i < OPTIONS && parse_option_value(i, word, args, error);
 }
 
 /* Stores a value in the member of args for its option, see rows.h. */
 static void
-store_value_in_member(const struct command_option *o, const struct value *value,
-    struct args *args)
+store_option_value_in_args(const struct command_option *o,
+    const struct value *value, struct args *args)
 {
 	void *member = (char *)args + o->offset;
 	const char *words = o->choices != NULL ? o->choices : "";
@@ -714,7 +716,7 @@ store_value_in_member(const struct command_option *o, const struct value *value,
  * their members.  Those of settings and of parameters are stored by cmd_set and
  * cmd_params. */
 static bool
-store_values_in_members(struct args *args, struct error *error)
+store_option_values_in_args(struct args *args, struct error *error)
 {
 	const struct command *command = args->command;
 	const struct command_option *o;
@@ -726,7 +728,7 @@ store_values_in_members(struct args *args, struct error *error)
 			ok = value_parse(o, o->fallback, value, error);
 		if (o->offset > 0 && (command->flags & COMMAND_SETTINGS) == 0 &&
 		    value->text != NULL)
-			store_value_in_member(o, value, args);
+			store_option_value_in_args(o, value, args);
 	}
 	return ok;
 }
@@ -734,7 +736,7 @@ store_values_in_members(struct args *args, struct error *error)
 /* Returns false with an error for an operand such as "p80", or "P80=5.5" as in
  * a table's heading. */
 static bool
-check_is_no_option(
+check_operand_is_no_option(
     const struct command *command, const char *word, struct error *error)
 {
 	size_t n = strcspn(word, "=");
@@ -762,7 +764,7 @@ check_number_of_operands(const struct args *args, struct error *error)
 			       : NULL;
 	if (more == NULL && args->n_operand >= command->operands.least)
 		return true;
-	if (more != NULL && !check_is_no_option(command, more, error))
+	if (more != NULL && !check_operand_is_no_option(command, more, error))
 		return false;
 	FREED char *usage = command_usage_text(command);
 	error_set(error, ERROR_USAGE,
@@ -792,7 +794,7 @@ hint_spaces_around_equals(const struct command *command,
 		FREED char *key = xstrndup(name, ends ? n - 1 : n);
 		if ((signs == 1 || ends) &&
 		    command_option_index(command, key) < OPTIONS)
-			error_hint(error,
+			error_set_hint(error,
 			    "write it without spaces around =: %s=%s", key,
 			    value);
 	}
@@ -807,20 +809,20 @@ error_command_not_found(const char *name, bool prompt, struct error *error)
 	double speed;
 	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
 	if (value_parse_number(name, "m/s", &speed))
-		error_hint(error, "did you mean 'predict %s'?", name);
+		error_set_hint(error, "did you mean 'predict %s'?", name);
 	else if (prompt && strchr(several, ',') != NULL)
-		error_hint(error, "did you mean one of %s?", several);
+		error_set_hint(error, "did you mean one of %s?", several);
 	else if (near != NULL)
-		error_hint(error, "did you mean '%s'?", near);
+		error_set_hint(error, "did you mean '%s'?", near);
 	else
-		error_hint(error, "run 'help' for the commands");
+		error_set_hint(error, "run 'help' for the commands");
 }
 
 /* Parses the words after the command's name.  On failure, sets *column to that
  * of the faulty word. */
 static bool
-parse_arguments(const struct words *words, struct args *args, int *column,
-    struct error *error)
+parse_command_arguments(const struct words *words, struct args *args,
+    int *column, struct error *error)
 {
 	const struct command *command = args->command;
 	bool set = (command->flags & COMMAND_SETTINGS) != 0;
@@ -829,12 +831,13 @@ parse_arguments(const struct words *words, struct args *args, int *column,
 		bool last = i + 1 == words->n;
 		bool pair = set && !last && strchr(word, '=') == NULL;
 		*column = words->column[i];
-		bool ok =
-		    pair ? parse_option_as_two_words(
-			       word, words->text[i + 1], args, error)
-			 : (!set || !last ||
-			       check_is_no_setting(command, word, error)) &&
-			       parse_argument(word, *column, args, error);
+		bool ok = pair ? parse_option_as_two_words(
+				     word, words->text[i + 1], args, error)
+			       : (!set || !last ||
+				     refuse_setting_without_value(
+					 command, word, error)) &&
+				     parse_one_command_argument(
+					 word, *column, args, error);
 		if (!ok)
 			return false;
 		i += pair;
@@ -843,21 +846,21 @@ parse_arguments(const struct words *words, struct args *args, int *column,
 		      ? args->column[command->operands.most]
 		      : words->column[0];
 	return check_number_of_operands(args, error) &&
-	       store_values_in_members(args, error);
+	       store_option_values_in_args(args, error);
 }
 
 const struct command *
-parse_call(const struct words *words, struct place place, struct args *args,
-    struct error *error)
+parse_command_words(const struct words *words, struct place place,
+    struct args *args, struct error *error)
 {
 	memset(args, 0, sizeof *args);
 	int column = words->column[0];
 	if (words->command == NULL) {
 		error_command_not_found(words->text[0], place.prompt, error);
 	} else {
-		args->command = command_meant_by_words(
+		args->command = command_find_by_options(
 		    words->command, words->text + 1, words->n - 1);
-		if (parse_arguments(words, args, &column, error))
+		if (parse_command_arguments(words, args, &column, error))
 			return args->command;
 		hint_spaces_around_equals(args->command, words, error);
 	}

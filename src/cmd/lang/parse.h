@@ -49,7 +49,7 @@ struct words {
  * ends at ; or # or at the end of the line.  Returns false if a quote is open,
  * there are too many words, or a redirection is faulty.  Always free with
  * words_free. */
-bool words_split(const char *line, size_t from, struct place place,
+bool words_split_line(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
 
@@ -60,8 +60,8 @@ void words_replace_by_one(
 /* Parses the words into a call and checks each value against the table.
  * Returns the command that is meant, or NULL with an error.  args borrows from
  * words; always free with args_free. */
-const struct command *parse_call(const struct words *words, struct place place,
-    struct args *args, struct error *error);
+const struct command *parse_command_words(const struct words *words,
+    struct place place, struct args *args, struct error *error);
 void args_free(struct args *args);
 
 /* Parses a word as a value of the option.  The value borrows the word; the
@@ -80,7 +80,7 @@ bool value_is_speed(const char *word);
  * name, and its share.  Without a share, sets the length of the whole text and
  * NAN.  Returns the rest, which begins with the next feed, or NULL after the
  * last. */
-const char *value_parse_blend_feed(
+const char *value_parse_feed_and_share(
     const char *text, size_t *length, double *share);
 
 #endif

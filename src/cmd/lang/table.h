@@ -23,7 +23,7 @@ command_run cmd_undo, cmd_redo, cmd_save, cmd_restore, cmd_reset, cmd_source,
     cmd_version, cmd_tui, cmd_quit;
 
 /* Functions that other commands share with `show`. */
-command_run show_params, show_bounds, show_fit, show_store_summary, show_log,
-    show_equations, show_claims;
+command_run show_params, show_param_bounds, show_fit, show_store_summary,
+    show_plant_log, show_equations, show_claims;
 
 #endif

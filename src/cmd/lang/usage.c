@@ -94,7 +94,7 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
     {.name = NULL}};
 
 void
-usage_print_brief(const struct command *c, FILE *out)
+usage_print_command_brief(const struct command *c, FILE *out)
 {
 	const char *title = command_shown_name(c),
 		   *other = command_other_name(c);
@@ -119,7 +119,7 @@ usage_print_command_list(const char *group, FILE *out)
 			    strcmp(tr(its), its) != 0 ? "%s (%s)\n" : "%s\n",
 			    tr(its), its);
 		last = its;
-		usage_print_brief(c, out);
+		usage_print_command_brief(c, out);
 	}
 	fputs(tr("\n"
 		 "help COMMAND explains one, apropos WORD searches\n"),
@@ -130,7 +130,7 @@ static void
 print_option_help(const struct command_option *o, FILE *out)
 {
 	enum { MARGIN = 15 };
-	FREED char *words = command_option_text(o), *lines = NULL;
+	FREED char *words = command_option_help_text(o), *lines = NULL;
 	size_t n = 0;
 	FILE *memory = text_open_memory(&lines, &n);
 	text_print_wrapped(words, MARGIN, 78, memory);
@@ -166,7 +166,7 @@ usage_print_shared_options(FILE *out)
 	fputs(tr("Options of many commands; help COMMAND names those it "
 		 "takes.\n\n"),
 	    out);
-	for (size_t i = 0; (o = command_shared_option(i)) != NULL; i++)
+	for (size_t i = 0; (o = command_shared_option_at(i)) != NULL; i++)
 		print_option_help(o, out);
 }
 
@@ -191,7 +191,7 @@ usage_print_command_help(const struct command *c, FILE *out)
 	text_print_wrapped(tr(c->text), 2, 78, out);
 	if (c->more != NULL)
 		fputs(tr("  tipspeed(1) says more.\n"), out);
-	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++) {
+	for (size_t i = 0; (o = command_own_option_at(c, i)) != NULL; i++) {
 		if (i == 0)
 			fputs(tr("\noptions\n"), out);
 		print_option_help(o, out);

@@ -50,10 +50,10 @@ void usage_print_shared_options(FILE *out);
 /* Explains the light at the end of answers. */
 void usage_print_trust_lights(FILE *out);
 
-/* usage_print_brief prints a command on one line; usage_print_command_help all
- * that the table has about it; usage_print_example the lines of its example,
- * each after the margin. */
-void usage_print_brief(const struct command *command, FILE *out);
+/* usage_print_command_brief prints a command on one line;
+ * usage_print_command_help all that the table has about it; usage_print_example
+ * the lines of its example, each after the margin. */
+void usage_print_command_brief(const struct command *command, FILE *out);
 void usage_print_command_help(const struct command *command, FILE *out);
 void usage_print_example(
     const struct command *command, const char *margin, FILE *out);

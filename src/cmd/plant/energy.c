@@ -32,7 +32,7 @@ struct energy_question {
  * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha; without parameters
  * they are the cut and 0. */
 static double
-k_of_size_by_eq3(
+equivalent_impacts_of_size(
     const struct energy_question *q, const struct spectrum_size *of)
 {
 	double e0 = q->cut * q->scale, f = 0, x = of->size;
@@ -48,13 +48,13 @@ k_of_size_by_eq3(
 }
 
 static double
-share_of_first_impacts(
+energy_share_of_first_impacts(
     const struct energy_question *q, const struct spectrum_size *of)
 {
-	double all = spectrum_impacts_above(of, q->cut, false).energy;
+	double all = spectrum_impacts_above_energy(of, q->cut, false).energy;
 	if (!q->spectrum->ordered || !(all > 0))
 		return NAN;
-	return spectrum_impacts_above(of, q->cut, true).energy / all;
+	return spectrum_impacts_above_energy(of, q->cut, true).energy / all;
 }
 
 /* Returns the mean energy of the impacts above the cut, divided by v^2/2. */
@@ -62,48 +62,51 @@ static double
 mean_impact_energy_over_nominal(
     const struct energy_question *q, const struct spectrum_size *of, bool first)
 {
-	struct spectrum_bin above = spectrum_impacts_above(of, q->cut, first);
+	struct spectrum_bin above =
+	    spectrum_impacts_above_energy(of, q->cut, first);
 	return above.mass > 0 && q->E > 0
 		   ? q->scale * above.energy / above.mass / q->E
 		   : NAN;
 }
 
 static double
-share_of_impacts_below_cut(
+share_of_impacts_below_energy_cut(
     const struct energy_question *q, const struct spectrum_size *of)
 {
-	double all = spectrum_impacts_above(of, 0, false).mass;
-	return 1 - spectrum_impacts_above(of, q->cut, false).mass / all;
+	double all = spectrum_impacts_above_energy(of, 0, false).mass;
+	return 1 - spectrum_impacts_above_energy(of, q->cut, false).mass / all;
 }
 
 static void
 add_energy_row_of_size(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *of, double size)
 {
-	struct spectrum_bin above = spectrum_impacts_above(of, q->cut, false);
-	answer_set_missing(r, "all");
+	struct spectrum_bin above =
+	    spectrum_impacts_above_energy(of, q->cut, false);
+	answer_set_missing_text(r, "all");
 	answer_add_cells(r, "%.1f", size);
-	answer_set_missing(r, "-");
+	answer_set_missing_text(r, "-");
 	answer_add_cells(r, "%g %.2f %.2f %.1f %.2f %.1f %.2f",
 	    q->spectrum->counted ? of->particles : NAN,
 	    spectrum_impacts_per_particle(q->spectrum, of, 0),
 	    spectrum_impacts_per_particle(q->spectrum, of, q->cut),
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
 	    mean_impact_energy_over_nominal(q, of, false),
-	    100 * share_of_first_impacts(q, of), k_of_size_by_eq3(q, of));
+	    100 * energy_share_of_first_impacts(q, of),
+	    equivalent_impacts_of_size(q, of));
 }
 
 static void
 add_energy_rows_of_sizes(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
-	answer_columns(r,
+	answer_add_columns(r,
 	    "size_mm: size mm, particles, impacts: impacts each, above: above "
 	    "the cut, mean_j_kg: mean J/kg, mean_ratio: of v^2/2, "
 	    "first_pct: in the first %%, k");
 	for (size_t i = 0; i < q->spectrum->n && q->spectrum->n > 1; i++)
 		add_energy_row_of_size(r, q, q->spectrum->size[i],
-		    units_mm(q->spectrum->size[i]->size));
+		    units_m_to_mm(q->spectrum->size[i]->size));
 	add_energy_row_of_size(r, q, whole, NAN);
 }
 
@@ -115,7 +118,7 @@ put_energy_bins(struct answer *r, const struct energy_question *q,
 {
 	FREED double *e = xcalloc_doubles(SPECTRUM_BINS),
 		     *share = xcalloc_doubles(SPECTRUM_BINS);
-	double all = spectrum_impacts_above(whole, 0, false).mass;
+	double all = spectrum_impacts_above_energy(whole, 0, false).mass;
 	size_t n = 0;
 	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
 		const struct spectrum_bin *bin = &whole->all[b];
@@ -124,7 +127,7 @@ put_energy_bins(struct answer *r, const struct energy_question *q,
 		e[n] = q->scale * bin->energy / bin->mass;
 		share[n++] = bin->mass / all;
 	}
-	struct fields *f = answer_fields(r);
+	struct fields *f = answer_json_fields(r);
 	fields_put_values(f,
 	    "name %s speed %g impacts %g rows %llu mass_kg %g "
 	    "share_below_pct %g cut_j_kg %g per_particle %g first_pct %g k %g",
@@ -132,20 +135,23 @@ put_energy_bins(struct answer *r, const struct energy_question *q,
 	    q->e->c.weighted ? NAN : (double)q->e->c.impacts,
 	    (unsigned long long)q->e->c.rows,
 	    q->spectrum->counted ? whole->mass : NAN,
-	    100 * share_of_impacts_below_cut(q, whole), q->scale * q->cut,
+	    100 * share_of_impacts_below_energy_cut(q, whole),
+	    q->scale * q->cut,
 	    spectrum_impacts_per_particle(q->spectrum, whole, q->cut),
-	    100 * share_of_first_impacts(q, whole), k_of_size_by_eq3(q, whole));
+	    100 * energy_share_of_first_impacts(q, whole),
+	    equivalent_impacts_of_size(q, whole));
 	struct fields *list = fields_add_object(f, "spectrum");
 	fields_put_numbers(list, "j_kg", e, n, NULL);
 	fields_put_numbers(list, "mass_share", share, n, NULL);
-	answer_put_rows_as_objects(r, "sizes");
+	answer_add_rows_as_json_objects(r, "sizes");
 }
 
 /* Returns how many of the impacts count as independent. */
 static double
 count_independent_impacts(const struct energies *e)
 {
-	FREED struct spectrum_size *whole = spectrum_merge_sizes(e->c.spectrum);
+	FREED struct spectrum_size *whole =
+	    spectrum_sum_over_sizes(e->c.spectrum);
 	double n =
 	    e->c.spectrum->counted ? whole->particles : (double)e->c.impacts;
 	return fmax(n, 1);
@@ -153,7 +159,7 @@ count_independent_impacts(const struct energies *e)
 
 /* Notes how much other loaded spectra, scaled by v^2, differ from this one. */
 static void
-note_comparison_of_spectra(
+note_difference_of_energy_spectra(
     struct answer *r, const struct session *s, const struct energy_question *q)
 {
 	for (size_t i = 0; i < s->n_energies; i++) {
@@ -189,11 +195,11 @@ note_whether_one_impact_is_fair(struct answer *r,
     const struct energy_question *q, const struct spectrum_size *whole)
 {
 	const double within = 0.8;
-	double k = k_of_size_by_eq3(q, whole), ratio;
-	double first = share_of_first_impacts(q, whole);
+	double k = equivalent_impacts_of_size(q, whole), ratio;
+	double first = energy_share_of_first_impacts(q, whole);
 	ratio = mean_impact_energy_over_nominal(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "without a tip speed v^2/2 is unknown: load the energies "
 		    "with speed=");
 		return;
@@ -212,19 +218,20 @@ note_whether_one_impact_is_fair(struct answer *r,
 		     "impacts break as much as k impacts at v^2/2 would, and k "
 		     "is not near 1; a calibrated f_mat makes up for it"));
 	if (!q->spectrum->counted)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "particles were not counted: k is that of one impact from "
 		    "this spectrum");
 }
 
 /* Notes the range of k over the sizes, by Eq 3 with the site's parameters. */
 static void
-note_k_with_site_params(struct answer *r, const struct energy_question *q)
+note_range_of_k_over_sizes(struct answer *r, const struct energy_question *q)
 {
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
 		const struct spectrum_size *of = q->spectrum->size[i];
-		double k = of->size > 0 ? k_of_size_by_eq3(q, of) : NAN;
+		double k =
+		    of->size > 0 ? equivalent_impacts_of_size(q, of) : NAN;
 		low = fmin(low, isfinite(k) ? k : INFINITY);
 		high = fmax(high, isfinite(k) ? k : -INFINITY);
 	}
@@ -241,38 +248,39 @@ note_k_with_site_params(struct answer *r, const struct energy_question *q)
 }
 
 static void
-note_basis_of_k(struct answer *r, const struct energy_question *q)
+note_basis_of_impact_count(struct answer *r, const struct energy_question *q)
 {
 	if (q->entry != NULL)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "k of one size: by Eq 3 with the parameters of %s; k of "
 		    "all sizes, or without parameters: for weak rock with a "
 		    "threshold at the cut",
 		    q->entry->site->name);
 	else
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "k: for weak rock with a threshold at the cut; with the "
 		    "parameters of a site it is that of Eq 3");
 	if (q->scale < 1 || q->scale > 1) {
 		FREED char *rpm = rotor_speed_rpm_text(q->rotor, q->speed, NAN);
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "energies and the cut scaled by v^2 from %g to %g m/s%s",
 		    q->spectrum->speed, q->speed, rpm);
 	}
-	answer_say(r, ANSWER_REMARK,
+	answer_add_sentence(r, ANSWER_REMARK,
 	    "energies of a simulation hold for its own geometry, rock and "
 	    "contact model: see tipspeed-model(7)");
 }
 
 static bool
-has_selection_params(const struct entry *entry)
+has_f_mat(const struct entry *entry)
 {
 	return entry->has_params &&
 	       isfinite(params_value_by_name(&entry->params, "f_mat"));
 }
 
 static bool
-show_energies(struct session *s, const struct args *args, struct error *error)
+show_impact_energies(
+    struct session *s, const struct args *args, struct error *error)
 {
 	if (energies_last_read(s, error) == NULL)
 		return false;
@@ -294,13 +302,13 @@ show_energies(struct session *s, const struct args *args, struct error *error)
 	}
 	q.E = q.speed > 0 ? specific_energy_at_speed(q.speed) : NAN;
 	if (s->n_entry > 0) {
-		const struct entry *entry = session_current_entry(s);
-		q.entry = has_selection_params(entry) ? entry : NULL;
+		const struct entry *entry = session_current_site_entry(s);
+		q.entry = has_f_mat(entry) ? entry : NULL;
 		q.rotor = entry->site->rotor;
 	}
-	FREED struct spectrum_size *whole = spectrum_merge_sizes(spectrum);
+	FREED struct spectrum_size *whole = spectrum_sum_over_sizes(spectrum);
 	struct answer *r = answer_new("energy");
-	answer_title(r,
+	answer_set_title(r,
 	    q.speed > 0 ? N_("%s: collision energies above %g J/kg")
 			: N_("%s: collision energies above %g J/kg, tip speed "
 			     "not known"),
@@ -313,17 +321,18 @@ show_energies(struct session *s, const struct args *args, struct error *error)
 		: N_("%llu impacts, %.1f %% below %g J/kg (by mass of the "
 		     "particles)"),
 	    (unsigned long long)s->energy->c.impacts,
-	    100 * share_of_impacts_below_cut(&q, whole), q.scale * q.cut);
-	note_comparison_of_spectra(r, s, &q);
+	    100 * share_of_impacts_below_energy_cut(&q, whole),
+	    q.scale * q.cut);
+	note_difference_of_energy_spectra(r, s, &q);
 	note_whether_one_impact_is_fair(r, &q, whole);
-	note_k_with_site_params(r, &q);
-	note_basis_of_k(r, &q);
+	note_range_of_k_over_sizes(r, &q);
+	note_basis_of_impact_count(r, &q);
 	put_energy_bins(r, &q, whole);
 	return session_show_answer(s, r);
 }
 
 static bool
-check_file_operand(const struct args *args, struct error *error)
+check_energy_file_operand(const struct args *args, struct error *error)
 {
 	return args->n_operand == 2 ||
 	       error_set(error, ERROR_USAGE,
@@ -337,7 +346,7 @@ load_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
 	struct collisions_way way = {.speed = NAN};
-	if (!check_file_operand(args, error))
+	if (!check_energy_file_operand(args, error))
 		return false;
 	way.columns = args->columns;
 	if (args_is_given(args, &args->unit))
@@ -351,7 +360,7 @@ load_energy_file(
 	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies_path(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
-	if (energies_read_file(s, path, &way, cut, error) == NULL)
+	if (energies_load_file(s, path, &way, cut, error) == NULL)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
 	if (args->note != NULL) {
@@ -359,7 +368,7 @@ load_energy_file(
 		e->c.about = xstrdup(args->note);
 	}
 	s->energy = e;
-	session_note(s,
+	session_print_note(s,
 	    e->c.weighted && e->c.spectrum->speed > 0
 		? N_("loaded %s: %s, %llu weighted rows")
 	    : e->c.weighted
@@ -385,15 +394,15 @@ write_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[1];
-	if (!check_file_operand(args, error) ||
+	if (!check_energy_file_operand(args, error) ||
 	    energies_last_read(s, error) == NULL ||
 	    !files_may_write(s, path, error) ||
 	    !files_confirm_replace(s, path, error) ||
-	    !file_replace_by_output(
+	    !file_replace_using_writer(
 		path, FILE_SHARED, print_energy_file, s->energy, error))
 		return false;
-	files_note_written(s, path);
-	session_note(s, "wrote %s", path);
+	files_record_written(s, path);
+	session_print_note(s, "wrote %s", path);
 	return true;
 }
 
@@ -405,7 +414,7 @@ cmd_energy(struct session *s, const struct args *args, struct error *error)
 		command_run *run;
 	} VERBS[] = {{"load", load_energy_file}, {"write", write_energy_file}};
 	if (args->n_operand == 0)
-		return show_energies(s, args, error);
+		return show_impact_energies(s, args, error);
 	for (size_t i = 0; i < ARRAY_LEN(VERBS); i++)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
 			return VERBS[i].run(s, args, error);

@@ -51,22 +51,23 @@ band_of_inflow_tph(const struct plant *p, const struct plant_result *o,
 }
 
 static void
-add_stream_rows(
+add_plant_stream_rows(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct circuit *c = p->circuit;
 	FREED struct plant_stream_row *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
-	struct fields *list = fields_add_list(answer_fields(r), "fractions");
+	struct fields *list =
+	    fields_add_list(answer_json_fields(r), "fractions");
 	size_t n = plant_list_streams(p, o, line);
 	bool band = o->flow.draws == DRAWS, back = o->flow.circulating > 0;
-	answer_columns(r, "name: %s, tph: t/h",
+	answer_add_columns(r, "name: %s, tph: t/h",
 	    p->from_file ? "product" : tr("fraction mm"));
 	if (band)
-		answer_columns(r, "low_tph: low, high_tph: high");
-	answer_columns(r, "share_pct: share %%");
+		answer_add_columns(r, "low_tph: low, high_tph: high");
+	answer_add_columns(r, "share_pct: share %%");
 	if (back)
-		answer_columns(r, "circulating_tph: back t/h");
+		answer_add_columns(r, "circulating_tph: back t/h");
 	for (size_t i = 0; i < n; i++) {
 		const struct unit *unit = line[i].unit;
 		double range[2] = {0, 0},
@@ -94,7 +95,7 @@ add_stream_rows(
 
 /* Adds all streams, for programs. */
 static void
-put_stream_fields(
+put_circuit_stream_fields(
     const struct plant *p, const struct plant_result *o, struct fields *all)
 {
 	struct fields *list = fields_add_list(all, "streams");
@@ -114,7 +115,7 @@ note_mass_balance(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2], tph = p->circuit->tph;
-	struct fields *f = answer_fields(r);
+	struct fields *f = answer_json_fields(r);
 	band_of_draws(
 	    p, o, o->flow.circulating_draw, o->flow.circulating, range);
 	FREED char *band = quantities_band_text(range[0], range[1], 1);
@@ -126,16 +127,18 @@ note_mass_balance(
 	    round((tph - o->flow.balance) * 1e6) / 1e6);
 	fields_put_values(f, "circulating_tph %g balance_tph %g passes %zu",
 	    o->flow.circulating, o->flow.balance, o->flow.passes);
-	answers_put_low_high(f, "circulating_range_tph", range[0], range[1]);
+	answers_put_low_high_field(
+	    f, "circulating_range_tph", range[0], range[1]);
 }
 
 /* Notes how much goes through the rotor of each crusher, and how much past
  * it. */
 static void
-note_rotor_of_each_crusher(
+note_flow_through_each_rotor(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
-	struct fields *list = fields_add_list(answer_fields(r), "crushers");
+	struct fields *list =
+	    fields_add_list(answer_json_fields(r), "crushers");
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
@@ -143,7 +146,7 @@ note_rotor_of_each_crusher(
 		double all = flow_tph_into_unit(&o->flow, unit),
 		       rotor = all * plant_share_through_rotor(p, unit),
 		       range[2];
-		double speed = plant_speed_of_unit(unit, o->speed);
+		double speed = plant_speed_of_circuit_unit(unit, o->speed);
 		band_of_inflow_tph(p, o, unit, 0, range);
 		FREED char *rpm = rotor_speed_rpm_text(
 		    p->question->entry->site->rotor, speed, NAN);
@@ -171,23 +174,24 @@ note_rotor_of_each_crusher(
 /* Makes a reason of readings that no crusher can have.  The sentence about the
  * light names one red reason alone; others are warnings of their own. */
 static void
-add_reason_of_readings(struct answer *r, struct trust *t, const char *reason)
+add_red_reason_of_power_readings(
+    struct answer *r, struct trust *t, const char *reason)
 {
 	if (t->light == LIGHT_RED)
-		answer_say(r, ANSWER_WARNING, "%s", reason);
+		answer_add_sentence(r, ANSWER_WARNING, "%s", reason);
 	trust_add_reason(t, LIGHT_RED, TRUST_DATA, xstrdup(reason));
 }
 
 static void
-judge_readings(const struct plant *p, struct answer *r, struct trust *t)
+check_power_readings(const struct plant *p, struct answer *r, struct trust *t)
 {
-	if (power_falls_with_speed(p->reading, p->n_reading))
-		add_reason_of_readings(r, t,
+	if (power_is_falling_with_speed(p->reading, p->n_reading))
+		add_red_reason_of_power_readings(r, t,
 		    tr("the readings contradict the estimate of power: power "
 		       "cannot fall while the speed rises and the t/h do not "
 		       "fall; check the readings"));
 	if (p->power.below)
-		add_reason_of_readings(r, t,
+		add_red_reason_of_power_readings(r, t,
 		    tr("the readings give less power than Q v2, the power that "
 		       "brings the rock to the tip speed: check m/s, kW and "
 		       "t/h, and whether all of it passes the rotor "
@@ -195,12 +199,12 @@ judge_readings(const struct plant *p, struct answer *r, struct trust *t)
 }
 
 static void
-note_power(
+note_plant_power(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2] = {NAN, NAN}, idle[2], factor = 0, t = p->circuit->tph;
 	FREED char *words = plant_power_basis_text(p, o);
-	struct fields *f = answer_fields(r);
+	struct fields *f = answer_json_fields(r);
 	if (!p->power.least)
 		ensemble_interval_around_answer(
 		    o->kw_draw, p->question->level, o->kw, range);
@@ -219,7 +223,7 @@ note_power(
 	    o->kw, range[0], range[1], o->kw / t,
 	    p->power.n > 0 ? "readings" : "Q v2", p->power.n,
 	    plant_idle_power(p, o->speed, idle), factor);
-	answers_put_low_high(f, "idle_range_kw", idle[0], idle[1]);
+	answers_put_low_high_field(f, "idle_range_kw", idle[0], idle[1]);
 }
 
 /* Notes the earnings; a product without a price adds nothing to them. */
@@ -251,9 +255,9 @@ note_earnings(
 		     "possible power"),
 	    o->money, band, speed, fixed != NULL ? "" : rpm);
 	if (none[0] != '\0')
-		answer_say(
+		answer_add_sentence(
 		    r, ANSWER_REMARK, "no price, counted as 0: %s", none);
-	fields_put_values(answer_fields(r),
+	fields_put_values(answer_json_fields(r),
 	    "earnings %g earnings_low %g "
 	    "earnings_high %g",
 	    o->money, range[0], range[1]);
@@ -270,7 +274,7 @@ struct speed_trials {
 };
 
 static void
-compute_earnings_at_speed(
+add_earnings_trial_at_speed(
     struct speed_trials *search, const struct plant *p, double speed)
 {
 	struct plant_result o = plant_compute_flow_at_speed(p, speed);
@@ -294,14 +298,14 @@ search_best_earning_speed(const struct plant *p, double from, double to)
 	    .step = (to - from) / COARSE,
 	    .draw = xcalloc(SPEEDS_TRIED, sizeof *s.draw)};
 	for (int i = 0; i <= COARSE; i++)
-		compute_earnings_at_speed(
+		add_earnings_trial_at_speed(
 		    &s, p, i < COARSE ? from + i * s.step : to);
 	double middle = s.speed[s.best];
 	for (int i = -FINE / 2; i <= FINE / 2 && isfinite(s.money[s.best]);
 	     i++) {
 		double speed = middle + i * s.step / FINE;
 		if (i != 0 && speed >= from && speed <= to)
-			compute_earnings_at_speed(&s, p, speed);
+			add_earnings_trial_at_speed(&s, p, speed);
 	}
 	return s;
 }
@@ -309,7 +313,7 @@ search_best_earning_speed(const struct plant *p, double from, double to)
 /* Sets range to the band of the speed that earns most, or to NAN if there are
  * no draws. */
 static void
-range_of_best_speeds(const struct plant *p, const struct speed_trials *s,
+band_of_best_earning_speed(const struct plant *p, const struct speed_trials *s,
     size_t draws, double range[static 2])
 {
 	double best[DRAWS];
@@ -331,7 +335,7 @@ range_of_best_speeds(const struct plant *p, const struct speed_trials *s,
 /* Notes what the best speed gains over the usual one, and whether the gain
  * exceeds its uncertainty. */
 static void
-note_gain_over_usual_speed(const struct plant *p,
+note_gain_of_best_over_usual(const struct plant *p,
     const struct plant_result *best, const struct plant_result *usual,
     struct answer *r)
 {
@@ -339,7 +343,7 @@ note_gain_over_usual_speed(const struct plant *p,
 	for (size_t d = 0; d < best->flow.draws; d++)
 		draw[d] = best->money_draw[d] - usual->money_draw[d];
 	band_of_draws(p, best, draw, gain, range);
-	fields_put_values(answer_fields(r),
+	fields_put_values(answer_json_fields(r),
 	    "compared_speed %g compared_earnings %g gain %g gain_low %g "
 	    "gain_high %g",
 	    usual->speed, usual->money, gain, range[0], range[1]);
@@ -355,10 +359,10 @@ note_gain_over_usual_speed(const struct plant *p,
 	double own[2];
 	band_of_draws(p, best, best->money_draw, best->money, own);
 	if (range[0] < 0)
-		answer_say(r, ANSWER_WARNING,
+		answer_add_sentence(r, ANSWER_WARNING,
 		    "the gain is not certain: it may be a loss");
 	else if (own[1] - own[0] > gain)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "the band of the earnings, %.2f wide, is wider than the "
 		    "gain: what both speeds earn is less certain than which "
 		    "earns more",
@@ -374,7 +378,7 @@ note_best_earning_speed(const struct plant *p, const struct speed_trials *s,
 	bool end = v <= s->from || v >= s->to;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(p->question->entry->site->rotor, v, NAN);
-	range_of_best_speeds(p, s, best->flow.draws, range);
+	band_of_best_earning_speed(p, s, best->flow.draws, range);
 	for (size_t i = 0; i < s->n; i++)
 		open += isnan(s->money[i]) ? 1 : 0;
 	FREED char *band = quantities_band_text(range[0], range[1], 1);
@@ -384,19 +388,19 @@ note_best_earning_speed(const struct plant *p, const struct speed_trials *s,
 		: N_("best speed %.1f m/s%s%s in the range from %g to %g m/s"),
 	    v, rpm, band[0] != '\0' ? band : tr(" (no band)"), s->from, s->to);
 	if (open > 0)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "at %zu of %zu speeds there is no steady state", open,
 		    s->n);
-	fields_put_values(
-	    answer_fields(r), "best_speed %g from %g to %g", v, s->from, s->to);
-	answers_put_low_high(
-	    answer_fields(r), "best_speed_range", range[0], range[1]);
+	fields_put_values(answer_json_fields(r), "best_speed %g from %g to %g",
+	    v, s->from, s->to);
+	answers_put_low_high_field(
+	    answer_json_fields(r), "best_speed_range", range[0], range[1]);
 }
 
 /* Returns the largest difference in passing, 0..1, between what enters a
  * crusher and the feed of the site. */
 static double
-largest_difference_from_feed(const struct plant *p,
+largest_inflow_difference_from_feed(const struct plant *p,
     const struct plant_result *o, const struct unit *unit)
 {
 	size_t n = p->n;
@@ -424,8 +428,9 @@ worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
 		struct trust t = trust_at_speed(p->s, entry,
-		    plant_speed_of_unit(unit, o->speed), p->question->feed);
-		double off = largest_difference_from_feed(p, o, unit);
+		    plant_speed_of_circuit_unit(unit, o->speed),
+		    p->question->feed);
+		double off = largest_inflow_difference_from_feed(p, o, unit);
 		if (off > other)
 			trust_add_reason(&t,
 			    off > strange ? LIGHT_RED : LIGHT_AMBER, TRUST_FEED,
@@ -434,18 +439,18 @@ worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 				   "up to %.0f points from the site's "
 				   "feed: it may break differently"),
 				100 * off));
-		trust_keep_worse(&worst, t);
+		trust_replace_if_worse(&worst, t);
 	}
 	return worst;
 }
 
 static bool
-is_crusher_extrapolated(const struct plant *p, const struct plant_result *o)
+is_any_crusher_extrapolated(const struct plant *p, const struct plant_result *o)
 {
 	bool is = false;
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
-		double speed = plant_speed_of_unit(unit, o->speed);
+		double speed = plant_speed_of_circuit_unit(unit, o->speed);
 		is = is || (unit->kind == UNIT_CRUSHER &&
 			       answers_is_speed_extrapolated(
 				   p->question->entry, speed));
@@ -471,45 +476,45 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	    fixed != NULL
 		? xstrdup("")
 		: rotor_speed_rpm_text(entry->site->rotor, o->speed, NAN);
-	struct answer *r = answer_about_site(entry->site, "flow",
+	struct answer *r = answer_new_about_site(entry->site, "flow",
 	    "%g t/h at %s m/s%s%s%s", p->circuit->tph, speed, rpm,
 	    p->from_file || back[0] != '\0' ? ", " : "",
 	    p->from_file || back[0] != '\0' ? what : "");
-	fields_put_values(answer_fields(r),
+	fields_put_values(answer_json_fields(r),
 	    "speed %g extrapolated %d feed_tph %g "
 	    "circuit %s",
-	    fixed != NULL ? NAN : o->speed, is_crusher_extrapolated(p, o),
+	    fixed != NULL ? NAN : o->speed, is_any_crusher_extrapolated(p, o),
 	    p->circuit->tph, what);
 	answer_repeat_fields_in_rows(
 	    r, "speed feed_tph power_kw kwh_per_t earnings best_speed gain");
-	add_stream_rows(p, o, r);
+	add_plant_stream_rows(p, o, r);
 	note_mass_balance(p, o, r);
-	note_rotor_of_each_crusher(p, o, r);
-	note_power(p, o, r);
+	note_flow_through_each_rotor(p, o, r);
+	note_plant_power(p, o, r);
 	note_earnings(p, o, r);
 	return r;
 }
 
 /* Adds the streams to the fields, and the basis of the answer. */
 static void
-add_streams_and_basis(
+add_streams_basis_and_trust(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct entry *entry = p->question->entry;
-	put_stream_fields(p, o, answer_fields(r));
+	put_circuit_stream_fields(p, o, answer_json_fields(r));
 	bool band = o->flow.draws == DRAWS;
 	if (!band)
-		answer_say(
+		answer_add_sentence(
 		    r, ANSWER_REMARK, "%s", band_why_missing(p->s, entry));
 	if (p->s->set.model.method == METHOD_CLASSES)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put_values(
-	    answer_fields(r), "level %g", 100 * p->question->level);
+	    answer_json_fields(r), "level %g", 100 * p->question->level);
 	struct trust trust = worst_trust_of_crushers(p, o);
-	judge_readings(p, r, &trust);
-	answers_show_basis(p->s, r, p->question, 0, band, trust);
+	check_power_readings(p, r, &trust);
+	answers_note_basis_and_trust(p->s, r, p->question, 0, band, trust);
 }
 
 /* Shows the answer, or only keeps it if it is drawn as an image. */
@@ -519,11 +524,11 @@ show_flow_answer(const struct plant *p, struct answer *r)
 	if (!plot_is_image_wanted(p->s) || p->s->document != NULL)
 		session_show_answer(p->s, r);
 	else
-		session_keep_newest_answer(p->s, r);
+		session_store_newest_answer(p->s, r);
 }
 
 static bool
-show_best_speed_for_flow(
+show_best_earning_speed(
     const struct plant *p, const struct args *args, struct error *error)
 {
 	const struct entry *entry = p->question->entry;
@@ -532,7 +537,7 @@ show_best_speed_for_flow(
 		return error_set(error, ERROR_USAGE,
 		    "best=on needs prices\n"
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
-	if (!conditions_speed_range_of_args(
+	if (!conditions_parse_search_range(
 		p->s, args, entry->site, &from, &to, error))
 		return false;
 	struct speed_trials search = search_best_earning_speed(p, from, to);
@@ -546,8 +551,8 @@ show_best_speed_for_flow(
 		struct answer *r = begin_flow_answer(p, &best);
 		note_best_earning_speed(p, &search, &best, r);
 		if (!usual.flow.open)
-			note_gain_over_usual_speed(p, &best, &usual, r);
-		add_streams_and_basis(p, &best, r);
+			note_gain_of_best_over_usual(p, &best, &usual, r);
+		add_streams_basis_and_trust(p, &best, r);
 		show_flow_answer(p, r);
 	}
 	flow_free(&usual.flow);
@@ -563,7 +568,7 @@ show_flow_at_speed(const struct plant *p, double speed, struct error *error)
 	bool ok = !o.flow.open || plant_set_error_not_steady(p, &o, error);
 	if (ok) {
 		struct answer *r = begin_flow_answer(p, &o);
-		add_streams_and_basis(p, &o, r);
+		add_streams_basis_and_trust(p, &o, r);
 		show_flow_answer(p, r);
 	}
 	flow_free(&o.flow);
@@ -576,7 +581,7 @@ enum { POINTS = 21 };
 /* Adds a series for each product, in the order of the table, which is the same
  * at all speeds.  Sets unit to their units, and returns their number. */
 static size_t
-add_product_series(struct chart *chart, const struct plant *p,
+add_flow_product_series(struct chart *chart, const struct plant *p,
     const struct plant_result *o, const struct unit **unit)
 {
 	const struct circuit *c = p->circuit;
@@ -588,7 +593,7 @@ add_product_series(struct chart *chart, const struct plant *p,
 			continue;
 		struct chart_series look = site_chart_series_style(products);
 		look.line = CHART_SOLID;
-		chart_add(chart, look, POINTS, "%s", line[i].name);
+		chart_append_series(chart, look, POINTS, "%s", line[i].name);
 		unit[products++] = line[i].unit;
 	}
 	return products;
@@ -610,10 +615,10 @@ tph_of_product(const struct plant *p, const struct plant_result *o,
  * from..to, m/s, with gaps where the circuit has no steady state.  The caller
  * frees it with chart_free. */
 static struct chart *
-flow_chart_by_speed(const struct plant *p, double from, double to)
+chart_of_flow_against_speed(const struct plant *p, double from, double to)
 {
 	const struct circuit *c = p->circuit;
-	struct chart *chart = site_chart(p->question->entry->site,
+	struct chart *chart = site_chart_new(p->question->entry->site,
 	    axis_new_linear(tr("tip speed, m/s"), from, to),
 	    axis_new_linear("t/h", 0, c->tph),
 	    "products of %g t/h against speed", c->tph);
@@ -624,21 +629,21 @@ flow_chart_by_speed(const struct plant *p, double from, double to)
 		double v = from + (to - from) * (double)k / (POINTS - 1);
 		struct plant_result o = plant_compute_flow_at_speed(p, v);
 		if (k == 0)
-			n = add_product_series(chart, p, &o, unit);
+			n = add_flow_product_series(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)
-			site_chart_set_figure_point(chart->series[i], k,
+			site_chart_set_point_with_band(chart->series[i], k,
 			    o.speed, tph_of_product(p, &o, unit[i]));
 		flow_free(&o.flow);
 	}
 	for (size_t i = 0; i < n; i++)
-		site_chart_finish_band(chart->series[i]);
+		site_chart_close_band_at_gaps(chart->series[i]);
 	if (n > 0 && chart->series[0]->low != NULL)
-		chart_note(chart, "band: %.0f %% uncertainty",
+		chart_add_note(chart, "band: %.0f %% uncertainty",
 		    100 * p->question->level);
 	/* The light at the middle speed, where it is at its best. */
 	FREED char *light = trust_in_words_at_speed(
 	    p->s, p->question->entry, (from + to) / 2, p->question->feed);
-	chart_note(chart, "%s", light);
+	chart_add_note(chart, "%s", light);
 	site_chart_show_speeds_in_rpm(chart, p->question->entry->site);
 	return chart;
 }
@@ -646,7 +651,7 @@ flow_chart_by_speed(const struct plant *p, double from, double to)
 /* Refuses options on speeds and best=on where the crushers have the speeds
  * `fixed`. */
 static bool
-refuse_speed_if_fixed(
+check_speed_not_given_if_fixed(
     const struct args *args, const char *fixed, struct error *error)
 {
 	const void *const of_speed[] = {
@@ -674,16 +679,17 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 		return false;
 	double speed = q->speed;
 	FREED char *fixed = plant_fixed_speeds_text(&p, &speed);
-	bool ok = fixed == NULL || refuse_speed_if_fixed(args, fixed, error);
-	ok = ok && (args->best ? show_best_speed_for_flow(&p, args, error)
+	bool ok =
+	    fixed == NULL || check_speed_not_given_if_fixed(args, fixed, error);
+	ok = ok && (args->best ? show_best_earning_speed(&p, args, error)
 			       : show_flow_at_speed(&p,
 				     fixed != NULL ? speed : q->speed, error));
 	if (ok && plot_is_image_wanted(s) && s->document == NULL) {
 		double from, to;
-		ok = conditions_speed_range_of_args(
+		ok = conditions_parse_search_range(
 			 s, args, q->entry->site, &from, &to, error) &&
 		     plot_write_image(
-			 s, flow_chart_by_speed(&p, from, to), error);
+			 s, chart_of_flow_against_speed(&p, from, to), error);
 	}
 	plant_free(&p);
 	return ok;

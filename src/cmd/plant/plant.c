@@ -25,7 +25,7 @@ enum { FRACTIONS = CIRCUIT_UNITS / 5, EDGES = 2 * FRACTIONS };
 /* Returns the next part of a list, trimmed, or NULL at its end.  A comma or a
  * semicolon separates parts.  The caller frees it. */
 static char *
-next_list_part(const char **at)
+next_comma_list_item(const char **at)
 {
 	if (**at == '\0')
 		return NULL;
@@ -51,14 +51,15 @@ do_fractions_overlap(const struct fraction *a, const struct fraction *b)
 }
 
 static bool
-parse_fractions(const char *text, struct fraction_list *c, struct error *error)
+parse_size_fractions(
+    const char *text, struct fraction_list *c, struct error *error)
 {
 	char *part;
 	bool ok = true;
 	for (const char *at = text;
-	     ok && (part = next_list_part(&at)) != NULL;) {
+	     ok && (part = next_comma_list_item(&at)) != NULL;) {
 		struct fraction f = {0};
-		ok = quantities_parse_fraction(part, &f, error);
+		ok = quantities_parse_size_fraction(part, &f, error);
 		for (size_t i = 0; ok && i < c->n; i++)
 			if (do_fractions_overlap(&f, &c->fraction[i]))
 				ok = error_set(error, ERROR_USAGE,
@@ -90,21 +91,22 @@ parse_fractions(const char *text, struct fraction_list *c, struct error *error)
 
 /* Returns "2/5", or "+11.2" for a fraction without an upper size. */
 static char *
-name_of_fraction(double fine, double coarse)
+name_of_size_fraction(double fine, double coarse)
 {
 	if (!(coarse > 0))
-		return xasprintf("+%g", units_mm(fine));
+		return xasprintf("+%g", units_m_to_mm(fine));
 	struct fraction f = {.fine = fine, .coarse = coarse};
 	return quantities_fraction_text(&f);
 }
 
 /* True if a list contains a name; adds 1 to *taken then. */
 static bool
-count_if_in_list(const char *list, const char *name, size_t *taken)
+find_and_count_name_in_list(const char *list, const char *name, size_t *taken)
 {
 	char *part;
 	bool found = false;
-	for (const char *at = list; (part = next_list_part(&at)) != NULL;) {
+	for (const char *at = list;
+	     (part = next_comma_list_item(&at)) != NULL;) {
 		found = found || strcmp(part, name) == 0;
 		free(part);
 	}
@@ -117,13 +119,14 @@ count_list_parts(const char *list)
 {
 	size_t n = 0;
 	char *part;
-	for (const char *at = list; (part = next_list_part(&at)) != NULL; n++)
+	for (const char *at = list; (part = next_comma_list_item(&at)) != NULL;
+	     n++)
 		free(part);
 	return n;
 }
 
 static struct unit *
-add_unit_with_inlet(
+add_circuit_unit_with_inlet(
     struct circuit *c, enum unit_kind kind, const char *name, size_t in)
 {
 	struct unit *unit = circuit_add_unit(c, kind, name);
@@ -135,12 +138,13 @@ add_unit_with_inlet(
 /* Adds the next screen of the deck.  Its feed is *now, which becomes its
  * undersize; returns its oversize, which is named after the fraction. */
 static size_t
-add_screen(struct circuit *c, const struct args *args, double opening,
+add_screen_of_deck(struct circuit *c, const struct args *args, double opening,
     const char *name, bool last, size_t *now)
 {
-	struct unit *screen = add_unit_with_inlet(c, UNIT_SCREEN, "", *now);
-	FREED char *under = last ? name_of_fraction(0, opening)
-				 : xasprintf("-%g", units_mm(opening));
+	struct unit *screen =
+	    add_circuit_unit_with_inlet(c, UNIT_SCREEN, "", *now);
+	FREED char *under = last ? name_of_size_fraction(0, opening)
+				 : xasprintf("-%g", units_m_to_mm(opening));
 	screen->opening = opening;
 	screen->partition.sharpness = args->sharpness;
 	screen->partition.cut_size = args->cut_size / 100;
@@ -153,13 +157,14 @@ add_screen(struct circuit *c, const struct args *args, double opening,
 /* Adds a crusher that the new feed enters, and returns it.  Sets *crushed to
  * its outgoing stream. */
 static struct unit *
-add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
+add_crusher_to_circuit(
+    struct circuit *c, const struct args *args, size_t *crushed)
 {
 	struct unit *new = circuit_add_unit(c, UNIT_FEED, "");
 	new->n_out = 1;
 	new->out[0] = circuit_find_or_add_stream(c, "new feed");
 	struct unit *crusher =
-	    add_unit_with_inlet(c, UNIT_CRUSHER, "", new->out[0]);
+	    add_circuit_unit_with_inlet(c, UNIT_CRUSHER, "", new->out[0]);
 	crusher->n_out = 1;
 	crusher->out[0] = *crushed = circuit_find_or_add_stream(c, "crushed");
 	crusher->cascade = args->cascade / 100;
@@ -174,30 +179,31 @@ build_circuit(const struct args *args, const struct fraction_list *cuts,
 {
 	struct circuit *c = p->circuit;
 	size_t taken = 0, now;
-	struct unit *crusher = add_crusher(c, args, &now);
+	struct unit *crusher = add_crusher_to_circuit(c, args, &now);
 	for (size_t i = 0; i <= cuts->n_edge; i++) {
 		bool pan = i == cuts->n_edge;
-		FREED char *name = name_of_fraction(
+		FREED char *name = name_of_size_fraction(
 		    pan ? 0 : cuts->edge[i], i > 0 ? cuts->edge[i - 1] : 0);
 		size_t over = pan ? now
-				  : add_screen(c, args, cuts->edge[i], name,
-					i + 1 == cuts->n_edge, &now);
-		if (count_if_in_list(p->back, name, &taken) &&
+				  : add_screen_of_deck(c, args, cuts->edge[i],
+					name, i + 1 == cuts->n_edge, &now);
+		if (find_and_count_name_in_list(p->back, name, &taken) &&
 		    crusher->n_in < UNIT_STREAMS)
 			crusher->in[crusher->n_in++] = over;
 		else
-			add_unit_with_inlet(c, UNIT_STOCKPILE, name, over);
+			add_circuit_unit_with_inlet(
+			    c, UNIT_STOCKPILE, name, over);
 	}
 	if (taken == count_list_parts(p->back) && taken < UNIT_STREAMS)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected fractions of the list in recycle=, got '%s'\n"
 	    "write them as in fractions=, or +%g for what is coarser than all",
-	    p->back, units_mm(cuts->edge[0]));
+	    p->back, units_m_to_mm(cuts->edge[0]));
 }
 
 static bool
-read_circuit_options(
+parse_options_and_build_circuit(
     const struct args *args, struct plant *p, struct error *error)
 {
 	struct fraction_list cuts = {0};
@@ -207,7 +213,7 @@ read_circuit_options(
 		    "write: flow tph=120 fractions=0/2,2/5,5/8,8/11.2");
 	p->circuit = circuit_new();
 	p->back = xstrdup(args->recycle != NULL ? args->recycle : "");
-	return parse_fractions(args->fractions, &cuts, error) &&
+	return parse_size_fractions(args->fractions, &cuts, error) &&
 	       build_circuit(args, &cuts, p, error);
 }
 
@@ -224,7 +230,7 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 			    "%s= is given, but the circuit comes from a "
 			    "file\nstate it in %s, see tipspeed-circuit(5)",
 			    args_option_name(args, of_file[i]), path);
-	files_note_read(p->s, path);
+	files_record_read(p->s, path);
 	p->from_file = true;
 	p->circuit = circuit_file_read(path, p->question->entry->site, &errors);
 	if (p->circuit == NULL)
@@ -240,7 +246,7 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 /* Sorts sizes, coarsest first, and drops those that differ from their neighbour
  * only by rounding.  Returns their number. */
 static size_t
-drop_equal_sizes(double *size, size_t n)
+sort_and_drop_equal_sizes(double *size, size_t n)
 {
 	const double alike = 1e-9;
 	size_t kept = 0;
@@ -255,11 +261,12 @@ drop_equal_sizes(double *size, size_t n)
  * the screens.  If there are very many sieves, only some of them are taken,
  * because the work grows with the third power of their number. */
 static void
-choose_class_sizes(struct plant *p)
+choose_size_classes(struct plant *p)
 {
 	enum { MOST = 120 };
 	const struct psd *feed = question_feed(p->question);
-	struct psd sieves = predict_table_sizes(p->question->entry->site, feed);
+	struct psd sieves =
+	    predict_list_table_sieves(p->question->entry->site, feed);
 	struct psd all = psd_new_with_sizes_between(sieves.size, sieves.n);
 	struct circuit *c = p->circuit;
 	const struct psd *from = all.n <= MOST ? &all : &sieves;
@@ -272,14 +279,14 @@ choose_class_sizes(struct plant *p)
 		if (c->unit[u].kind == UNIT_SCREEN)
 			p->size[p->n++] =
 			    c->unit[u].opening * c->unit[u].partition.cut_size;
-	p->n = drop_equal_sizes(p->size, p->n);
+	p->n = sort_and_drop_equal_sizes(p->size, p->n);
 	psd_free(&all);
 	psd_free(&sieves);
 }
 
 /* Sets an error if a screen is finer than the finest sieve of the feed. */
 static bool
-check_screens_within_feed(const struct plant *p, struct error *error)
+check_screens_covered_by_feed(const struct plant *p, struct error *error)
 {
 	const struct psd *feed = question_feed(p->question);
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
@@ -290,7 +297,8 @@ check_screens_within_feed(const struct plant *p, struct error *error)
 			    "a screen at %g mm cuts finer than the feed's "
 			    "finest sieve, %g mm\nuse sizes on or above that "
 			    "sieve",
-			    units_mm(cut), units_mm(feed->size[feed->n - 1]));
+			    units_m_to_mm(cut),
+			    units_m_to_mm(feed->size[feed->n - 1]));
 	}
 	return true;
 }
@@ -350,7 +358,8 @@ parse_prices(const struct args *args, struct plant *p, struct error *error)
 	bool ok = true;
 	if (args->prices != NULL)
 		for (const char *at = args->prices;
-		     ok && (part = next_list_part(&at)) != NULL; free(part))
+		     ok && (part = next_comma_list_item(&at)) != NULL;
+		     free(part))
 			ok = parse_product_price(
 			    p->circuit, part, priced, error);
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
@@ -399,7 +408,7 @@ parse_power_reading_of_note(struct plant *p, const char *note)
 	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
 	double value[3] = {NAN, NAN, NAN};
 	char *part;
-	for (const char *at = note; (part = next_list_part(&at)) != NULL;
+	for (const char *at = note; (part = next_comma_list_item(&at)) != NULL;
 	     free(part))
 		for (size_t i = 0; i < 3; i++) {
 			if (!text_ends_with(part, UNITS[i]))
@@ -423,7 +432,8 @@ parse_power_options(
 	bool ok = true;
 	if (args->power != NULL) {
 		for (const char *at = args->power;
-		     ok && (part = next_list_part(&at)) != NULL; free(part))
+		     ok && (part = next_comma_list_item(&at)) != NULL;
+		     free(part))
 			ok = parse_power_reading(p, part, error);
 		return ok;
 	}
@@ -440,7 +450,7 @@ make_crusher_model(struct plant *p)
 {
 	const struct entry *entry = p->question->entry;
 	const struct psd *feed = question_feed(p->question);
-	struct psd sieves = predict_table_sizes(entry->site, feed);
+	struct psd sieves = predict_list_table_sieves(entry->site, feed);
 	p->crusher = crusher_new_for_answers(p->s, entry, p->size, p->n);
 	p->feed = xcalloc_doubles(p->n);
 	crusher_class_masses_of_feed(p->crusher, feed, p->feed);
@@ -450,7 +460,7 @@ make_crusher_model(struct plant *p)
 
 /* Makes the models of the crushers that run at a speed of their own. */
 static void
-make_models_of_units(struct plant *p)
+make_fixed_speed_crusher_models(struct plant *p)
 {
 	p->own = xcalloc(p->circuit->n_unit, sizeof(*p->own));
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
@@ -466,20 +476,20 @@ plant_from_args(struct session *s, const struct args *args,
 	*plant = (struct plant){.s = s, .question = q};
 	bool ok = args->circuit != NULL
 		      ? read_circuit_file(args, plant, error)
-		      : read_circuit_options(args, plant, error);
+		      : parse_options_and_build_circuit(args, plant, error);
 	if (ok && args->tph > 0)
 		plant->circuit->tph = args->tph;
-	ok = ok && check_screens_within_feed(plant, error) &&
+	ok = ok && check_screens_covered_by_feed(plant, error) &&
 	     parse_prices(args, plant, error) &&
 	     parse_power_options(args, plant, error);
 	if (!ok) {
 		plant_free(plant);
 		return false;
 	}
-	choose_class_sizes(plant);
+	choose_size_classes(plant);
 	make_crusher_model(plant);
-	make_models_of_units(plant);
-	plant->power = power_fit(plant->reading, plant->n_reading);
+	make_fixed_speed_crusher_models(plant);
+	plant->power = power_fit_readings(plant->reading, plant->n_reading);
 	const struct params *params = &q->entry->params;
 	const struct breakage *of = breakage_model_of_params(params);
 	plant->bypass = of->bypass ? params->at[of->n - 1] : 0;
@@ -508,7 +518,7 @@ plant_share_through_rotor(const struct plant *p, const struct unit *unit)
 }
 
 double
-plant_speed_of_unit(const struct unit *unit, double speed)
+plant_speed_of_circuit_unit(const struct unit *unit, double speed)
 {
 	return unit->speed > 0 ? unit->speed : speed;
 }
@@ -536,7 +546,7 @@ plant_fixed_speeds_text(const struct plant *p, double *first)
 /* Adds the power and the earnings of a draw.  A model alone has a single
  * product, which serves all draws of the power. */
 static void
-compute_power_and_earnings(
+add_power_and_earnings_of_draw(
     const struct plant *p, struct plant_result *o, size_t d)
 {
 	double kw = 0, money = 0;
@@ -545,8 +555,8 @@ compute_power_and_earnings(
 		const struct unit *unit = &p->circuit->unit[u];
 		double tph = flow_tph_into_unit_in_draw(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
-			kw += power_of_draw(&p->power, d,
-			    plant_speed_of_unit(unit, o->speed),
+			kw += power_kw_of_posterior_draw(&p->power, d,
+			    plant_speed_of_circuit_unit(unit, o->speed),
 			    tph * plant_share_through_rotor(p, unit));
 		if (unit->kind == UNIT_STOCKPILE && isfinite(unit->price))
 			money += tph * unit->price;
@@ -567,7 +577,7 @@ plant_compute_flow_at_speed(const struct plant *p, double speed)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
 	o.flow = circuit_compute_flow(p->circuit, p->feed, p->size, p->n, of);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		compute_power_and_earnings(p, &o, d);
+		add_power_and_earnings_of_draw(p, &o, d);
 	transfer_free(t);
 	return o;
 }
@@ -616,7 +626,7 @@ plant_idle_power(const struct plant *p, double speed, double range[static 2])
 {
 	double draw[POWER_DRAWS], mean = 0;
 	for (size_t d = 0; d < POWER_DRAWS; d++) {
-		draw[d] = power_idle_of_draw(&p->power, d, speed);
+		draw[d] = power_idle_kw_of_draw(&p->power, d, speed);
 		mean += draw[d] / POWER_DRAWS;
 	}
 	ensemble_interval_around_answer(draw, p->question->level, mean, range);

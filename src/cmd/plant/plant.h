@@ -48,10 +48,11 @@ struct plant_result {
 };
 
 /* plant_share_through_rotor returns the share of a crusher's feed that goes
- * through the rotor; plant_speed_of_unit its own speed or else `speed`. */
+ * through the rotor; plant_speed_of_circuit_unit its own speed or else `speed`.
+ */
 double plant_share_through_rotor(
     const struct plant *p, const struct unit *unit);
-double plant_speed_of_unit(const struct unit *unit, double speed);
+double plant_speed_of_circuit_unit(const struct unit *unit, double speed);
 
 /* Returns "62, 74", the speeds of the crushers, if each has one of its own, so
  * that the command's speed changes nothing; else NULL.  The caller frees it.

@@ -32,7 +32,7 @@ struct work {
 /* Skips texts with control characters, because readline prints candidates as
  * they are. */
 static void
-add_candidate(struct work *w, const char *text, char append)
+add_completion(struct work *w, const char *text, char append)
 {
 	struct completion *c = w->result;
 	if (!text_needs_no_escape(text))
@@ -42,10 +42,10 @@ add_candidate(struct work *w, const char *text, char append)
 }
 
 static void
-offer_if_matching(struct work *w, const char *text, char append)
+add_completion_if_matching(struct work *w, const char *text, char append)
 {
 	if (strncmp(text, w->typed, strlen(w->typed)) == 0)
-		add_candidate(w, text, append);
+		add_completion(w, text, append);
 }
 
 /* True if a name in lower case begins as typed, ignoring case and accents. */
@@ -57,70 +57,70 @@ begins_as_typed(const struct work *w, const char *name)
 
 /* Offers the first word of a name, unless it was offered before. */
 static void
-offer_command_name(struct work *w, const char *name)
+offer_command_word_once(struct work *w, const char *name)
 {
 	FREED char *word = xstrndup(name, strcspn(name, " "));
 	bool there = false;
 	for (size_t i = 0; i < w->result->n && !there; i++)
 		there = strcmp(w->result->candidate[i].text, word) == 0;
 	if (!there)
-		offer_if_matching(w, word, ' ');
+		add_completion_if_matching(w, word, ' ');
 }
 
 static void
-offer_commands(struct work *w)
+complete_with_commands(struct work *w)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		offer_command_name(w, c->name);
+		offer_command_word_once(w, c->name);
 		if (c->alias != NULL)
-			offer_command_name(w, c->alias);
+			offer_command_word_once(w, c->alias);
 	}
 }
 
 /* Offers the second word of names whose first word is `first`. */
 static void
-offer_second_words(struct work *w, const char *first)
+complete_with_second_words(struct work *w, const char *first)
 {
 	size_t n = strlen(first);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (c->alias != NULL && strncmp(c->alias, first, n) == 0 &&
 		    c->alias[n] == ' ')
-			offer_if_matching(w, c->alias + n + 1, ' ');
+			add_completion_if_matching(w, c->alias + n + 1, ' ');
 }
 
 static void
-offer_command_groups(struct work *w)
+complete_with_command_groups(struct work *w)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		offer_if_matching(w, command_group_name(c), ' ');
+		add_completion_if_matching(w, command_group_name(c), ' ');
 }
 
 static void
-offer_quantities_to_assert(struct work *w)
+complete_with_assertable_names(struct work *w)
 {
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++)
-		offer_if_matching(w, ASSERTED_NAMES[i].name, ' ');
+		add_completion_if_matching(w, ASSERTED_NAMES[i].name, ' ');
 }
 
 static void
-offer_parameters(struct work *w)
+complete_with_parameters(struct work *w)
 {
 	const struct breakage *of = BREAKAGES[w->session->set.model.breakage];
 	for (size_t j = 0; j < of->n; j++)
-		offer_if_matching(w, of->parameter[j].name, ' ');
+		add_completion_if_matching(w, of->parameter[j].name, ' ');
 }
 
 /* Ignores case and accents, as `use` does. */
 static void
-offer_loaded_sites(struct work *w)
+complete_with_loaded_sites(struct work *w)
 {
 	for (size_t i = 0; i < w->session->n_entry; i++)
 		if (begins_as_typed(w, w->session->entry[i].key))
-			add_candidate(w, w->session->entry[i].key, ' ');
+			add_completion(w, w->session->entry[i].key, ' ');
 }
 
 static void
-offer_run_speeds(struct work *w)
+complete_with_run_speeds(struct work *w)
 {
 	if (w->session->n_entry == 0)
 		return;
@@ -129,40 +129,40 @@ offer_run_speeds(struct work *w)
 		if (site_run_repeats_speed(site, r))
 			continue;
 		FREED char *text = xasprintf("%g", site->run[r].speed);
-		offer_if_matching(w, text, ' ');
+		add_completion_if_matching(w, text, ' ');
 	}
 }
 
 /* Quotes a name with characters that would end the word. */
 static void
-add_material_candidate(void *data, const char *name)
+add_material_completion(void *data, const char *name)
 {
 	struct work *w = data;
 	bool quotes = w->quoted || name[strcspn(name, " ;|<>")] != '\0';
 	FREED char *text = quotes ? xasprintf("\"%s\"", name) : xstrdup(name);
-	add_candidate(w, text, ' ');
+	add_completion(w, text, ' ');
 }
 
 /* Ignores case and accents, as `recall` does.  Offers only so many as one would
  * read. */
 static void
-offer_materials(struct work *w)
+complete_with_material_names(struct work *w)
 {
 	enum { MOST = 200 };
 	struct material_list paper = {0};
 	struct error error = {0};
-	store_visit_names_beginning(w->session->store, w->typed, MOST,
-	    add_material_candidate, w, &error);
-	material_add_table3(&paper);
+	store_visit_names_with_prefix(w->session->store, w->typed, MOST,
+	    add_material_completion, w, &error);
+	material_add_table3_to_list(&paper);
 	for (size_t i = 0; i < paper.n; i++)
 		if (begins_as_typed(w, paper.item[i].name))
-			add_material_candidate(w, paper.item[i].name);
+			add_material_completion(w, paper.item[i].name);
 	material_list_free(&paper);
 }
 
 /* Ignores case.  Quotes all names, because they contain spaces. */
 static void
-offer_envelope_names(struct work *w)
+complete_with_envelope_names(struct work *w)
 {
 	struct standards *all = standards_read_built_in();
 	for (size_t i = 0; i < all->n; i++) {
@@ -170,13 +170,13 @@ offer_envelope_names(struct work *w)
 		    text_fold_case_and_accents(all->spec[i]->name);
 		FREED char *quoted = xasprintf("\"%s\"", all->spec[i]->name);
 		if (begins_as_typed(w, name))
-			add_candidate(w, quoted, ' ');
+			add_completion(w, quoted, ' ');
 	}
 	standards_free(all);
 }
 
 static void
-add_file_candidate(struct work *w, const char *path)
+add_file_completion(struct work *w, const char *path)
 {
 	struct stat status;
 	bool folder = stat(path, &status) == 0 && S_ISDIR(status.st_mode);
@@ -185,11 +185,11 @@ add_file_candidate(struct work *w, const char *path)
 	/* After a folder the quote stays open, for the rest of the path. */
 	FREED char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
 	    folder ? "/" : "", quotes && !folder ? "\"" : "");
-	add_candidate(w, text, folder ? '\0' : ' ');
+	add_completion(w, text, folder ? '\0' : ' ');
 }
 
 static void
-offer_files(struct work *w)
+complete_with_files(struct work *w)
 {
 	if (w->session->safe)
 		return;
@@ -209,7 +209,7 @@ offer_files(struct work *w)
 			continue;
 		FREED char *path =
 		    xasprintf("%.*s%s", (int)head, w->typed, e->d_name);
-		add_file_candidate(w, path);
+		add_file_completion(w, path);
 	}
 	closedir(dir);
 }
@@ -217,7 +217,7 @@ offer_files(struct work *w)
 /* Offers the shipped sites, which load finds by name, if the word is not empty
  * and no file matches it. */
 static void
-offer_shipped_sites(struct work *w)
+complete_with_shipped_sites(struct work *w)
 {
 	static const char END[] = ".csv";
 	bool other = w->session->safe || w->typed[0] == '\0';
@@ -229,7 +229,7 @@ offer_shipped_sites(struct work *w)
 		FREED char *name = xstrdup(e->d_name);
 		if (text_ends_with(name, END) && begins_as_typed(w, name)) {
 			name[strlen(name) - strlen(END)] = '\0';
-			add_candidate(w, name, ' ');
+			add_completion(w, name, ' ');
 		}
 	}
 	if (dir != NULL)
@@ -241,15 +241,18 @@ offer_shipped_sites(struct work *w)
 static const struct {
 	const char *word;
 	void (*offer)(struct work *);
-} KINDS[] = {{"ANSWER", offer_quantities_to_assert},
-    {"COMMAND", offer_commands}, {"FILE", offer_files},
-    {"GROUP", offer_command_groups}, {"MATERIAL", offer_materials},
-    {"PARAMETER", offer_parameters}, {"SHIPPED", offer_shipped_sites},
-    {"SITE", offer_loaded_sites}, {"SPEC", offer_envelope_names},
-    {"SPEED", offer_run_speeds}};
+} KINDS[] = {{"ANSWER", complete_with_assertable_names},
+    {"COMMAND", complete_with_commands}, {"FILE", complete_with_files},
+    {"GROUP", complete_with_command_groups},
+    {"MATERIAL", complete_with_material_names},
+    {"PARAMETER", complete_with_parameters},
+    {"SHIPPED", complete_with_shipped_sites},
+    {"SITE", complete_with_loaded_sites},
+    {"SPEC", complete_with_envelope_names},
+    {"SPEED", complete_with_run_speeds}};
 
 static void
-offer_words_of_kind(struct work *w, const char *word)
+complete_with_words_of_kind(struct work *w, const char *word)
 {
 	size_t i = 0;
 	while (i < ARRAY_LEN(KINDS) && strcmp(KINDS[i].word, word) != 0)
@@ -260,66 +263,67 @@ offer_words_of_kind(struct work *w, const char *word)
 
 /* Offers the words in a list; those in capitals are looked up in KINDS. */
 static void
-offer_words_of_list(struct work *w, const char *list)
+complete_with_words_of_list(struct work *w, const char *list)
 {
 	FREED char *copy = xstrdup(list);
 	char *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save))
 		if (isupper((unsigned char)word[0]))
-			offer_words_of_kind(w, word);
+			complete_with_words_of_kind(w, word);
 		else
-			offer_if_matching(w, word, ' ');
+			add_completion_if_matching(w, word, ' ');
 }
 
 static void
-offer_operand_values(struct work *w, const struct command *command, size_t i)
+complete_with_operand_values(
+    struct work *w, const struct command *command, size_t i)
 {
 	size_t last = 0;
 	while (last + 1 < EXPECTS && command->operands.expect[last + 1] != NULL)
 		last++;
 	const char *list = command->operands.expect[i < last ? i : last];
 	if (i < command->operands.most && list != NULL)
-		offer_words_of_list(w, list);
+		complete_with_words_of_list(w, list);
 }
 
 /* further: after a comma, where a word that stands for all numbers may not
  * follow. */
 static void
-offer_option_values(
+complete_with_option_values(
     struct work *w, const struct command_option *o, bool further)
 {
 	if (option_choices(o) != NULL && !further)
-		offer_words_of_list(w, option_choices(o));
+		complete_with_words_of_list(w, option_choices(o));
 	else if (o->kind == VALUE_FILE || o->kind == VALUE_FEED ||
 		 o->kind == VALUE_SPEC)
-		offer_files(w);
+		complete_with_files(w);
 	if (o->kind == VALUE_SPEC)
-		offer_envelope_names(w);
+		complete_with_envelope_names(w);
 	if (strcmp(o->unit, "m/s") == 0)
-		offer_run_speeds(w);
+		complete_with_run_speeds(w);
 }
 
 static void
-offer_unused_options(struct work *w, const struct args *used)
+complete_with_unused_options(struct work *w, const struct args *used)
 {
 	const struct command *command = used->command;
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
 		if (used->value[i].given)
 			continue;
-		offer_if_matching(w, o->name,
+		add_completion_if_matching(w, o->name,
 		    (command->flags & COMMAND_SETTINGS) != 0 ? ' ' : '=');
 		if (command->bare != NULL &&
 		    strcmp(o->name, command->bare) == 0)
-			offer_option_values(w, o, false);
+			complete_with_option_values(w, o, false);
 	}
-	offer_operand_values(w, command, used->n_operand);
+	complete_with_operand_values(w, command, used->n_operand);
 }
 
 /* Takes a word in the line, up to the cursor, as what was typed. */
 static void
-set_typed_word(struct work *w, const char *word)
+set_word_to_complete(struct work *w, const char *word)
 {
 	free(w->typed);
 	free(w->folded);
@@ -330,16 +334,17 @@ set_typed_word(struct work *w, const char *word)
 
 /* Limits the completion to the part of the word after `behind`. */
 static void
-set_typed_part_after(struct work *w, const char *line, const char *behind)
+set_word_to_complete_after(struct work *w, const char *line, const char *behind)
 {
 	w->result->start = (size_t)(behind - line) + 1;
-	set_typed_word(w, behind + 1);
+	set_word_to_complete(w, behind + 1);
 }
 
 /* Returns the option that the word is a value of, because it names the option
  * (*named) or is the bare one; otherwise NULL. */
 static const struct command_option *
-option_of_value(const struct args *used, const char *typed, bool *named)
+find_option_of_typed_value(
+    const struct args *used, const char *typed, bool *named)
 {
 	const struct command *command = used->command;
 	size_t key = strcspn(typed, "="), i = OPTIONS;
@@ -366,40 +371,40 @@ setting_awaiting_value(const struct args *used, const char *last)
 }
 
 static void
-offer_options_or_values(
+complete_with_options_or_values(
     struct work *w, const struct args *used, const char *line, const char *last)
 {
 	bool named;
 	const struct command_option *o =
-	    option_of_value(used, w->typed, &named);
+	    find_option_of_typed_value(used, w->typed, &named);
 	const char *word = line + w->result->start;
 	if (named)
-		set_typed_part_after(w, line, strchr(word, '='));
+		set_word_to_complete_after(w, line, strchr(word, '='));
 	bool further =
 	    o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	if (further)
-		set_typed_part_after(w, line, strrchr(word, ','));
+		set_word_to_complete_after(w, line, strrchr(word, ','));
 	const struct command_option *setting =
 	    setting_awaiting_value(used, last);
 	if (named)
-		offer_option_values(w, o, further);
+		complete_with_option_values(w, o, further);
 	else if (setting != NULL)
-		offer_option_values(w, setting, false);
+		complete_with_option_values(w, setting, false);
 	else
-		offer_unused_options(w, used);
+		complete_with_unused_options(w, used);
 }
 
 static void
-offer_after_words(struct work *w, const struct words *words, struct place place,
-    const char *line)
+complete_after_given_words(struct work *w, const struct words *words,
+    struct place place, const char *line)
 {
 	struct args used;
 	struct error none = {0};
 	if (words->n == 1)
-		offer_second_words(w, words->text[0]);
-	parse_call(words, place, &used, &none);
+		complete_with_second_words(w, words->text[0]);
+	parse_command_words(words, place, &used, &none);
 	if (used.command != NULL)
-		offer_options_or_values(
+		complete_with_options_or_values(
 		    w, &used, line, words->text[words->n - 1]);
 	args_free(&used);
 }
@@ -433,21 +438,21 @@ find_start_of_last_word(const char *line, size_t *command, size_t *word)
 }
 
 static int
-compare_candidates(const void *a, const void *b)
+compare_completions(const void *a, const void *b)
 {
 	const struct candidate *p = a, *q = b;
 	return strcmp(p->text, q->text);
 }
 
 static void
-sort_distinct_candidates(struct completion *c)
+sort_distinct_completions(struct completion *c)
 {
 	size_t kept = 0;
 	if (c->n > 1)
 		qsort(c->candidate, c->n, sizeof *c->candidate,
-		    compare_candidates);
+		    compare_completions);
 	for (size_t i = 0; i < c->n; i++)
-		if (kept > 0 && compare_candidates(&c->candidate[kept - 1],
+		if (kept > 0 && compare_completions(&c->candidate[kept - 1],
 				    &c->candidate[i]) == 0)
 			free(c->candidate[i].text);
 		else
@@ -463,28 +468,29 @@ complete_last_word(struct work *w, const char *line)
 	if (!find_start_of_last_word(line, &from, &w->result->start))
 		return;
 	size_t start = w->result->start;
-	set_typed_word(w, line + start);
+	set_word_to_complete(w, line + start);
 	FREED char *before = xstrndup(line + from, start - from);
 	struct words words;
 	struct error error = {0};
 	struct place place = {.file = "", .prompt = true};
-	bool ok = words_split(before, 0, place, &words, &error);
+	bool ok = words_split_line(before, 0, place, &words, &error);
 	if (words.to == TO_FILE || words.to == TO_APPEND) {
 		if (words.target != NULL && words.target[0] == '\0')
-			offer_files(w);
+			complete_with_files(w);
 	} else if (ok && words.to == TO_SCREEN && words.n == 0) {
-		offer_commands(w);
+		complete_with_commands(w);
 	} else if (ok && words.to == TO_SCREEN) {
-		offer_after_words(w, &words, place, line);
+		complete_after_given_words(w, &words, place, line);
 	}
 	words_free(&words);
 	free(w->typed);
 	free(w->folded);
-	sort_distinct_candidates(w->result);
+	sort_distinct_completions(w->result);
 }
 
 struct completion *
-complete_at_cursor(const struct session *s, const char *line, size_t cursor)
+find_completions_at_cursor(
+    const struct session *s, const char *line, size_t cursor)
 {
 	struct work w = {.session = s};
 	w.result = xcalloc(1, sizeof *w.result);

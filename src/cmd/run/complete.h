@@ -27,7 +27,7 @@ struct completion {
 /* Returns the candidates at the cursor, an offset into the line.  Ignores the
  * text after it.  Reads the session and, for files, folders; changes nothing,
  * and cannot fail.  Free with completion_free. */
-struct completion *complete_at_cursor(
+struct completion *find_completions_at_cursor(
     const struct session *s, const char *line, size_t cursor);
 void completion_free(struct completion *completion);
 

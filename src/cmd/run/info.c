@@ -29,7 +29,7 @@ print_getting_started(FILE *out)
 	FREED char *groups = xstrdup("");
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (c->flags & COMMAND_DAILY)
-			usage_print_brief(c, out);
+			usage_print_command_brief(c, out);
 		if (strcmp(command_group_name(c), last) != 0)
 			xappend_to_list(
 			    &groups, ", ", "%s", command_group_name(c));
@@ -47,7 +47,7 @@ print_getting_started(FILE *out)
 /* Returns where help goes: people read it, so it goes to the notes if results
  * are JSON or CSV. */
 static FILE *
-stream_for_help(const struct session *s)
+help_output_stream(const struct session *s)
 {
 	bool exact = ANSWER_FORMATS[s->set.format].exact;
 	return !exact || s->notes == NULL ? s->out : s->notes;
@@ -95,14 +95,14 @@ print_commands_with_word(const struct session *s, const char *word)
 	size_t found = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (command_help_has_word(c, folded)) {
-			usage_print_brief(c, stream_for_help(s));
+			usage_print_command_brief(c, help_output_stream(s));
 			found++;
 		}
 	return found;
 }
 
 static bool
-error_unknown_command(const char *name, struct error *error)
+error_unknown_help_topic(const char *name, struct error *error)
 {
 	const char *near = command_nearest_name(name);
 	if (breakage_find_by_name(name) < breakage_count_models())
@@ -132,7 +132,7 @@ find_two_word_command(const char *words)
 bool
 cmd_help(struct session *s, const struct args *args, struct error *error)
 {
-	FILE *out = stream_for_help(s);
+	FILE *out = help_output_stream(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : NULL;
 	bool example = args->n_operand == 2;
 	FREED char *both =
@@ -164,7 +164,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	else
 		return (!example && command_nearest_name(name) == NULL &&
 			   print_commands_with_word(s, name) > 0) ||
-		       error_unknown_command(name, error);
+		       error_unknown_help_topic(name, error);
 	return true;
 }
 
@@ -181,21 +181,21 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 
 /* Shows the help of a command if `man` has no page of that name. */
 static bool
-show_help_for_missing_page(const struct session *s,
+show_help_for_missing_man_page(const struct session *s,
     const struct command_option *page, const char *name, struct error *error)
 {
 	struct value value;
 	const struct command *command = command_find(name);
 	const char *near = command_nearest_name(name);
 	if (command != NULL) {
-		usage_print_command_help(command, stream_for_help(s));
+		usage_print_command_help(command, help_output_stream(s));
 		return true;
 	}
 	value_parse(page, name, &value, error);
 	if (error->hint[0] == '\0' && near != NULL)
-		error_hint(error, "did you mean '%s'?", near);
+		error_set_hint(error, "did you mean '%s'?", near);
 	else if (error->hint[0] == '\0')
-		error_hint(error, "name a command instead: man find");
+		error_set_hint(error, "name a command instead: man find");
 	return false;
 }
 
@@ -211,18 +211,18 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	size_t i = args->page;
 	if (word != NULL &&
 	    !text_find_word_in_list(option_choices(page), word, &i))
-		return show_help_for_missing_page(s, page, word, error);
+		return show_help_for_missing_man_page(s, page, word, error);
 	assert(i < ARRAY_LEN(PAGES));
 	if (!s->safe && s->hooks.show_manual_page != NULL &&
 	    s->hooks.show_manual_page(PAGES[i]))
 		return true;
-	usage_print_command_list(NULL, stream_for_help(s));
+	usage_print_command_list(NULL, help_output_stream(s));
 	if (s->safe)
-		session_note(s,
+		session_print_note(s,
 		    "man is not available with --safe; these are the "
 		    "commands, and 'help COMMAND' explains one");
 	else
-		session_note(s,
+		session_print_note(s,
 		    "the page %s is shown at the prompt if man(1) is "
 		    "installed; its source is in the folder man",
 		    PAGES[i]);
@@ -235,14 +235,14 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct answer *r = answer_new("version");
-	answer_columns(r, "part, version");
-	answer_add_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
-	answer_add_pair(r, "gsl", "%s", GSL_VERSION);
-	answer_add_pair(r, "jansson", "%s", JANSSON_VERSION);
-	answer_add_pair(r, "pictures", "%s", picture_list_forms());
-	answer_add_pair(
+	answer_add_columns(r, "part, version");
+	answer_add_name_value_row(r, "tipspeed", "%s", PACKAGE_VERSION);
+	answer_add_name_value_row(r, "gsl", "%s", GSL_VERSION);
+	answer_add_name_value_row(r, "jansson", "%s", JANSSON_VERSION);
+	answer_add_name_value_row(r, "pictures", "%s", picture_list_formats());
+	answer_add_name_value_row(
 	    r, "instructions", "%s", isa_name(isa_usable_or_best(s->isa)));
-	fields_put_values(answer_fields(r), "version %s", PACKAGE_VERSION);
+	fields_put_values(answer_json_fields(r), "version %s", PACKAGE_VERSION);
 	return session_show_answer(s, r);
 }
 

@@ -51,7 +51,7 @@ session_free(struct session *s)
 	struct error stopped = {0};
 	session_end_finished_commands(s, false, &stopped);
 	autosave_end(s);
-	question_free_cached(s);
+	question_free_cached_site(s);
 	moved_products_free(s->moved);
 	blended_free(s->fed);
 	entries_free(s->entry, s->n_entry);
@@ -72,7 +72,7 @@ session_free(struct session *s)
 	free(s->pins);
 	free(s->initial);
 	files_free(s->files);
-	session_forget_answers(s);
+	session_remove_answers(s);
 	free(s->answer);
 	undo_free(s->undo);
 	journal_free(s->journal);
@@ -117,13 +117,14 @@ static const struct command *
 parse_call_of_script(struct session *s, struct words *words, struct place place,
     struct args *args, struct error *error)
 {
-	const struct command *command = parse_call(words, place, args, error);
+	const struct command *command =
+	    parse_command_words(words, place, args, error);
 	FREED char *folder = script_other_folder(s, place.file);
 	if (command == NULL || folder == NULL ||
 	    !call_paths_find_in_folder(args, words, folder))
 		return command;
 	args_free(args);
-	return parse_call(words, place, args, error);
+	return parse_command_words(words, place, args, error);
 }
 
 static bool
@@ -150,7 +151,7 @@ run_command_words(struct session *s, struct words *words, struct place place,
 			ok = invocation_end(s, ok, error);
 	}
 	args_free(&args);
-	session_set_translation(s);
+	session_set_translation_by_format(s);
 	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
 		error_prefix_file_name(error, place.file, place.line,
 		    error->column > 0 ? error->column : words->column[0]);
@@ -170,7 +171,7 @@ session_run_line(struct session *s, const char *line, size_t from,
 		return false;
 	while (from < end && !s->quit) {
 		struct words words;
-		bool ok = words_split(line, from, place, &words, error);
+		bool ok = words_split_line(line, from, place, &words, error);
 		speeds_join_words_to_list(s, &words);
 		conditions_join_words(&words);
 		if (ok && words.n > 0)

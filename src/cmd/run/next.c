@@ -30,11 +30,11 @@ count_runs_with_product(const struct entry *entry, bool *held_out)
 }
 
 static struct next
-next_step_before_fit(const struct session *s, const struct entry *entry)
+suggest_step_before_fit(const struct session *s, const struct entry *entry)
 {
 	bool held_out;
 	size_t n = count_runs_with_product(entry, &held_out);
-	double checked = session_answer_number(s, "check", "ok");
+	double checked = session_number_in_last_answer(s, "check", "ok");
 	if (entry->has_params)
 		return (struct next){.stage = NEXT_ANSWER};
 	if (n == 0)
@@ -61,7 +61,7 @@ next_step_before_fit(const struct session *s, const struct entry *entry)
 }
 
 static struct next
-next_step_after_fit(const struct session *s, const struct entry *entry)
+suggest_step_after_fit(const struct session *s, const struct entry *entry)
 {
 	bool held_out;
 	count_runs_with_product(entry, &held_out);
@@ -79,12 +79,14 @@ next_step_after_fit(const struct session *s, const struct entry *entry)
 				: N_("calibrate again, with the new cut?"),
 		    true, NEXT_CALIBRATE};
 	if (held_out && !origin_is_from_store(entry->origin) &&
-	    isnan(session_answer_number(s, "validate", "holdout.speed")) &&
-	    isnan(session_answer_number(s, "validate", "sites")))
+	    isnan(session_number_in_last_answer(
+		s, "validate", "holdout.speed")) &&
+	    isnan(session_number_in_last_answer(s, "validate", "sites")))
 		return (struct next){"validate",
 		    N_("validate: compare it with what was kept as a check?"),
 		    true, NEXT_VALIDATE};
-	if (session_answer_number(s, "validate calibrate", "warnings") > 0)
+	if (session_number_in_last_answer(s, "validate calibrate", "warnings") >
+	    0)
 		return (struct next){NULL,
 		    N_("next: 'why' shows the reasons to doubt it, and what to "
 		       "do"),
@@ -104,7 +106,7 @@ next_step_after_fit(const struct session *s, const struct entry *entry)
 }
 
 static struct next
-next_step_before_load(const struct session *s)
+suggest_step_before_load(const struct session *s)
 {
 	size_t own = 0;
 	bool remembered =
@@ -122,7 +124,7 @@ next_step_before_load(const struct session *s)
 /* True if several sites are loaded and none has parameters, so that we cannot
  * know which one is meant. */
 static bool
-has_only_sites_without_params(const struct session *s)
+has_several_sites_all_without_params(const struct session *s)
 {
 	bool known = false;
 	for (size_t i = 0; i < s->n_entry; i++)
@@ -131,13 +133,13 @@ has_only_sites_without_params(const struct session *s)
 }
 
 struct next
-next_step(const struct session *s)
+suggest_next_step(const struct session *s)
 {
 	if (s->n_entry == 0)
-		return next_step_before_load(s);
+		return suggest_step_before_load(s);
 	if (session_is_calibrating(s))
 		return (struct next){.stage = NEXT_LOAD};
-	if (has_only_sites_without_params(s))
+	if (has_several_sites_all_without_params(s))
 		return (struct next){"check all; calibrate all; validate all",
 		    N_("check, calibrate and validate all of them now?"), false,
 		    NEXT_CHECK};
@@ -146,8 +148,8 @@ next_step(const struct session *s)
 		    N_("continue the stopped calibration?"), false,
 		    NEXT_CALIBRATE};
 	const struct entry *entry = &s->entry[s->current];
-	return entry->has_fit ? next_step_after_fit(s, entry)
-			      : next_step_before_fit(s, entry);
+	return entry->has_fit ? suggest_step_after_fit(s, entry)
+			      : suggest_step_before_fit(s, entry);
 }
 
 /* Notes at which speeds predict can answer. */
@@ -155,12 +157,12 @@ static void
 note_predictable_speeds(const struct session *s, const struct entry *entry)
 {
 	double from, to;
-	if (!origin_known_speed_range(entry, &from, &to))
+	if (!origin_training_speed_range(entry, &from, &to))
 		return;
 	FREED char *usual =
-	    speed_as_typed(entry->site, answers_default_speed(entry));
+	    speed_text_in_typed_unit(entry->site, answers_default_speed(entry));
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, from, to);
-	session_note(s,
+	session_print_note(s,
 	    from < to ? N_("now 'predict %s', or any speed from %g to %g m/s%s")
 		      : N_("now 'predict %s'"),
 	    usual, from, to, rpm);
@@ -168,7 +170,7 @@ note_predictable_speeds(const struct session *s, const struct entry *entry)
 
 /* True if the answer before the newest one has this sentence. */
 static bool
-was_in_previous_answer(const struct session *s, const char *text)
+was_sentence_in_previous_answer(const struct session *s, const char *text)
 {
 	if (s->n_answer < 2)
 		return false;
@@ -180,22 +182,22 @@ was_in_previous_answer(const struct session *s, const char *text)
 }
 
 void
-next_print_result_lines(const struct session *s)
+next_print_answer_summary(const struct session *s)
 {
 	if (s->n_answer == 0)
 		return;
 	const struct answer *a = s->answer[s->n_answer - 1];
 	struct answer_view view = answer_view(a);
-	bool check = strcmp(answer_command(a), "check") == 0;
+	bool check = strcmp(answer_command_name(a), "check") == 0;
 	/* Leaves out the first and the last sentence: load has said what was
-	 * read, next_step suggests what to do, and check ends with remarks that
-	 * are not shown here. */
+	 * read, suggest_next_step suggests what to do, and check ends with
+	 * remarks that are not shown here. */
 	for (size_t i = check; i + 1 < view.n_sentence; i++)
-		if (!was_in_previous_answer(s, view.sentence[i].text))
-			session_note(s, "%s", view.sentence[i].text);
+		if (!was_sentence_in_previous_answer(s, view.sentence[i].text))
+			session_print_note(s, "%s", view.sentence[i].text);
 	size_t n = check ? view.n_row : 0;
 	if (check)
-		session_note(s,
+		session_print_note(s,
 		    n == 0
 			? tr("no faults found")
 			: tr_n("no faults found; %zu remark: 'check' shows it",
@@ -203,6 +205,6 @@ next_print_result_lines(const struct session *s)
 			      "them",
 			      n),
 		    n);
-	else if (next_step(s).stage == NEXT_ANSWER)
+	else if (suggest_next_step(s).stage == NEXT_ANSWER)
 		note_predictable_speeds(s, &s->entry[s->current]);
 }

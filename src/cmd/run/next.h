@@ -10,7 +10,7 @@ struct next {
 	/* line: the commands to run, or NULL if there are none to suggest.
 	 * words: a question about them or, without a line, what to type. */
 	const char *line, *words;
-	/* next_print_result_lines shows what the commands found. */
+	/* next_print_answer_summary shows what the commands found. */
 	bool brief;
 	/* How far the session has come; another fit sets it back. */
 	enum {
@@ -23,9 +23,9 @@ struct next {
 };
 
 /* Returns the next step; its `words` are NULL if there is nothing to say. */
-struct next next_step(const struct session *s);
+struct next suggest_next_step(const struct session *s);
 
 /* Prints what check, calibrate and validate found, in a few lines. */
-void next_print_result_lines(const struct session *s);
+void next_print_answer_summary(const struct session *s);
 
 #endif

@@ -32,8 +32,8 @@ cmd_drop(struct session *s, const struct args *args, struct error *error)
 	size_t index;
 	if (!session_find_site(s, args->operand[0], &index, error))
 		return false;
-	session_note(s, "dropped %s", s->entry[index].key);
-	session_drop_site(s, index);
+	session_print_note(s, "dropped %s", s->entry[index].key);
+	session_remove_site(s, index);
 	return true;
 }
 
@@ -51,7 +51,7 @@ reset_session(struct session *s, const struct settings *choices)
 	s->n_entry = s->current = 0;
 	s->last_asked = (struct last_asked){0};
 	s->set = *choices;
-	session_forget_answers(s);
+	session_remove_answers(s);
 	journal_discard_all_lines(s);
 }
 
@@ -68,7 +68,8 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 /* Begins with the defaults, because the script itself sets what the command
  * line had set when it was saved. */
 static bool
-restore_from_script(struct session *s, const char *path, struct error *error)
+restore_session_from_script(
+    struct session *s, const char *path, struct error *error)
 {
 	struct settings plain = settings_default();
 	if (!script_open(s, path, error))
@@ -95,7 +96,7 @@ bool
 cmd_restore(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0)
-		return autosave_show_list(s);
+		return autosave_show_sessions(s);
 	const char *typed = args->operand[0];
 	bool last = strcmp(typed, "last") == 0;
 	FREED char *path = last ? autosave_newest_path(s, error)
@@ -104,9 +105,9 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 			       : add_script_ending(typed);
 	if (!last)
 		s->invocation->saved = true;
-	bool ok = path != NULL && restore_from_script(s, path, error);
+	bool ok = path != NULL && restore_session_from_script(s, path, error);
 	if (ok && !last)
-		files_set_session_script(s, path, false);
+		files_set_session_script_path(s, path, false);
 	return ok;
 }
 
@@ -119,7 +120,7 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
 	if (s->set.format == ANSWER_JSON) {
 		struct answer *r = answer_new("echo");
-		fields_put_values(answer_fields(r), "text %s", text);
+		fields_put_values(answer_json_fields(r), "text %s", text);
 		session_show_answer(s, r);
 	} else {
 		text_print_escaped(text, s->out);
@@ -152,7 +153,7 @@ static bool
 show_settings(struct session *s)
 {
 	struct answer *r = answer_new("set");
-	answer_columns(r, "setting, value");
+	answer_add_columns(r, "setting, value");
 	for (const struct command_option *row = SETTINGS; row->name != NULL;
 	     row++) {
 		FREED char *text = settings_value_text(row, &s->set);
@@ -213,15 +214,15 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		any = true;
 	}
 	if (!model_settings_are_same(&before, &s->set.model))
-		session_forget_answers(s);
+		session_remove_answers(s);
 	/* Settings alone need no saving, but a goal does. */
 	if (strcmp(was.goal, s->set.goal) != 0)
-		journal_number_new_state(s);
+		journal_assign_state_number(s);
 	/* This does not change the parameters of loaded sites. */
 	if (s->set.model.breakage != before.breakage) {
 		const struct bounds usual = bounds_default(before.breakage);
 		if (memcmp(&usual, &s->set.bounds, sizeof usual) != 0)
-			session_note(s,
+			session_print_note(s,
 			    "  the search bounds are now the defaults of %s",
 			    BREAKAGES[s->set.model.breakage]->name);
 		s->set.bounds = bounds_default(s->set.model.breakage);
@@ -238,8 +239,8 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 		return true;
 	}
 	struct answer *r = answer_new("seed");
-	answer_columns(r, "seed: seed");
-	answer_text(r, "%llu", (unsigned long long)s->set.seed);
+	answer_add_columns(r, "seed: seed");
+	answer_add_text_cell(r, "%llu", (unsigned long long)s->set.seed);
 	return session_show_answer(s, r);
 }
 
@@ -266,7 +267,7 @@ may_overwrite_script(const struct session *s, const struct args *args,
     const char *path, struct error *error)
 {
 	bool saved;
-	const char *holder = files_session_script(s, &saved);
+	const char *holder = files_session_script_path(s, &saved);
 	bool again = holder != NULL && strcmp(holder, path) == 0;
 	if (again && (saved || args->replace))
 		return file_check_writable(path, error);
@@ -281,14 +282,14 @@ save_session_as(struct session *s, const struct args *args, const char *path,
 	const struct saved_script script = {s, folder};
 	if (!may_overwrite_script(s, args, path, error) ||
 	    !journal_can_be_saved(s, error) ||
-	    !file_replace_by_output(
+	    !file_replace_using_writer(
 		path, FILE_SHARED, print_script_with_heading, &script, error))
 		return false;
-	files_set_session_script(s, path, true);
+	files_set_session_script_path(s, path, true);
 	s->invocation->saved = true;
 	struct mark mark = journal_current_place(s);
 	size_t n = mark.n - mark.start;
-	session_note(s,
+	session_print_note(s,
 	    tr_n("wrote %s: %zu command", "wrote %s: %zu commands", n), path,
 	    n);
 	return true;
@@ -343,7 +344,7 @@ cmd_undo(struct session *s, const struct args *args, struct error *error)
 	const char *label = undo_or_redo(s, undo_last_step);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to undo");
-	session_note(s, "undone: %s", label);
+	session_print_note(s, "undone: %s", label);
 	return true;
 }
 
@@ -354,6 +355,6 @@ cmd_redo(struct session *s, const struct args *args, struct error *error)
 	const char *label = undo_or_redo(s, undo_redo_step);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to redo");
-	session_note(s, "redone: %s", label);
+	session_print_note(s, "redone: %s", label);
 	return true;
 }

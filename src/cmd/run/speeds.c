@@ -17,7 +17,7 @@ static const char RPM[] = "rpm", RPM_IS[] = "rpm=";
 
 /* True if the operands of the command are speeds. */
 static bool
-takes_speed_operands(const struct command *command)
+has_speed_operands(const struct command *command)
 {
 	const char *usage = command->operands.usage;
 	return usage != NULL && strstr(usage, "SPEED") != NULL &&
@@ -49,7 +49,7 @@ is_value_in_rpm(const char *value)
 
 /* True for "1500" and "1500rpm". */
 static bool
-is_one_number(const char *value)
+is_number_or_rpm(const char *value)
 {
 	char *end;
 	strtod(value, &end);
@@ -59,14 +59,14 @@ is_one_number(const char *value)
 /* Returns the value in word i, after "from=" or from its beginning, if it is in
  * rpm and belongs to an option in m/s; otherwise NULL. */
 static const char *
-find_value_in_rpm(const struct words *words, size_t i)
+find_typed_speed_in_rpm(const struct words *words, size_t i)
 {
 	const struct command *command = words->command;
 	char *word = words->text[i];
 	const char *equals = strchr(word, '=');
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
-	const struct command *of = command_meant_by_words(command, one, 1);
+	const struct command *of = command_find_by_options(command, one, 1);
 	bool bare = equals == NULL || is_speed_list_in_rpm(of, word);
 	const char *before = (command->flags & COMMAND_SETTINGS) != 0
 				 ? words->text[i - 1]
@@ -76,7 +76,7 @@ find_value_in_rpm(const struct words *words, size_t i)
 	size_t at = command_option_index(of, name);
 	bool speed = at < OPTIONS
 			 ? strcmp(command_option_at(of, at)->unit, "m/s") == 0
-			 : bare && takes_speed_operands(command);
+			 : bare && has_speed_operands(command);
 	return speed && is_value_in_rpm(value) ? value : NULL;
 }
 
@@ -93,7 +93,7 @@ rotor_diameter_m(struct session *s, const struct words *words)
 			words->text[i] + strlen(OPTION), "mm", &mm))
 			return mm / 1000;
 	return s != NULL && s->n_entry > 0
-		   ? session_current_entry(s)->site->rotor
+		   ? session_current_site_entry(s)->site->rotor
 		   : 0;
 }
 
@@ -124,7 +124,7 @@ tip_speed_from_rpm(struct session *s, double rpm, double diameter)
 {
 	return s != NULL && s->n_entry > 0
 		   ? site_speed_from_rpm(
-			 session_current_entry(s)->site, rpm, diameter)
+			 session_current_site_entry(s)->site, rpm, diameter)
 		   : rotor_speed_from_rpm(rpm, diameter);
 }
 
@@ -160,13 +160,13 @@ count_words_in_rpm(const struct words *words)
 {
 	size_t n = 0;
 	for (size_t i = 1; i < words->n; i++)
-		n += find_value_in_rpm(words, i) != NULL;
+		n += find_typed_speed_in_rpm(words, i) != NULL;
 	return n;
 }
 
 /* True if the command reads cuts, with a speed after the file's name. */
 static bool
-takes_speeds_after_files(const struct command *command)
+command_takes_speed_after_file(const struct command *command)
 {
 	return strcmp(command->name, "add") == 0 ||
 	       strcmp(command->name, "load") == 0;
@@ -183,7 +183,7 @@ length_of_rpm_within_word(
 	const char *sign = strrchr(word, '@');
 	bool power = strncmp(word, POWER, strlen(POWER)) == 0 && at > word &&
 		     strchr("=,;", at[-1]) != NULL;
-	bool file = takes_speeds_after_files(command) && sign != NULL &&
+	bool file = command_takes_speed_after_file(command) && sign != NULL &&
 		    sign > word && at == sign + 1 && strchr(word, '=') == NULL;
 	double rpm;
 	size_t n = power || file ? strspn(at, "0123456789.") : 0;
@@ -198,7 +198,7 @@ length_of_rpm_within_word(
 /* Converts such speeds.  s: NULL for a command such as load, whose file has
  * another rotor than the site in use. */
 static void
-convert_speeds_within_words(struct session *s, struct words *words)
+convert_rpm_within_words_to_mps(struct session *s, struct words *words)
 {
 	double diameter = rotor_diameter_m(s, words);
 	for (size_t i = 1; i < words->n && diameter > 0; i++) {
@@ -228,11 +228,12 @@ error_rotor_unknown(struct session *s, const struct words *words,
 	for (size_t k = 0; k < words->n; k++)
 		xappend_to_list(&line, " ", "%s", words->text[k]);
 	bool has = command_option_index(words->command, "rotor_mm") < OPTIONS;
-	error_at(error, ERROR_USAGE, place.file, place.line, words->column[i],
+	error_set_at(error, ERROR_USAGE, place.file, place.line,
+	    words->column[i],
 	    "expected the rotor's diameter with rpm, which %s does not state",
-	    session_current_entry(s)->site->name);
-	return has ? error_hint(error, "write: %s rotor_mm=DIAMETER", line)
-		   : error_hint(error,
+	    session_current_site_entry(s)->site->name);
+	return has ? error_set_hint(error, "write: %s rotor_mm=DIAMETER", line)
+		   : error_set_hint(error,
 			 "write: load FILE rotor_mm=DIAMETER, or a line "
 			 "rotor_mm in the site file");
 }
@@ -245,22 +246,21 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 	if (command == NULL)
 		return true;
 	bool needs_site = (command->flags & COMMAND_NEEDS_SITE) != 0;
-	convert_speeds_within_words(needs_site ? s : NULL, words);
+	convert_rpm_within_words_to_mps(needs_site ? s : NULL, words);
 	size_t n = count_words_in_rpm(words);
 	double diameter = n > 0 ? rotor_diameter_m(s, words) : 0;
 	if (!(diameter > 0) && s->n_entry == 0)
 		return true;
 	for (size_t i = 1; i < words->n && n > 0; i++) {
 		char *word = words->text[i];
-		const char *turns = find_value_in_rpm(words, i);
+		const char *turns = find_typed_speed_in_rpm(words, i);
 		if (turns == NULL)
 			continue;
 		bool bare =
 		    turns == word || is_speed_list_in_rpm(command, word);
-		bool option = n == 1 && bare &&
-			      !takes_speed_operands(command) &&
+		bool option = n == 1 && bare && !has_speed_operands(command) &&
 			      command_option_index(command, RPM) < OPTIONS &&
-			      is_one_number(turns);
+			      is_number_or_rpm(turns);
 		if (!option && !(diameter > 0))
 			return error_rotor_unknown(s, words, place, i, error);
 		FREED char *steps = expand_rpm_range_text(turns);
@@ -282,7 +282,7 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
  * range, or its commas must be between numbers, as in "66,70,74" and "71.5,77";
  * "69,74" may mean 69.74. */
 static bool
-is_speed_range_or_list(const char *word, bool *list)
+is_speed_or_range_or_list(const char *word, bool *list)
 {
 	const char *dots = strstr(word, "..");
 	size_t n = strspn(word, dots != NULL ? "0123456789.:" : "0123456789.,");
@@ -300,7 +300,7 @@ is_speed_range_or_list(const char *word, bool *list)
 /* Returns the word as an item of a list, where commas separate numbers.  The
  * caller frees it. */
 static char *
-speed_as_list_item(const char *word, bool list)
+format_speed_as_list_item(const char *word, bool list)
 {
 	size_t n = strlen(word);
 	if (text_ends_with(word, "m/s"))
@@ -325,9 +325,9 @@ is_two_speeds(
 	int n = 0;
 	if (sscanf(word, "%3u,%3u%n", &one, &two, &n) != 2 || word[n] != '\0')
 		return false;
-	FREED char *number = speed_as_list_item(word, false);
+	FREED char *number = format_speed_as_list_item(word, false);
 	const struct site *site =
-	    s->n_entry > 0 ? session_current_entry(s)->site : NULL;
+	    s->n_entry > 0 ? session_current_site_entry(s)->site : NULL;
 	settings_default_speed_range(&s->set, site, &from, &to);
 	bool measured = site != NULL &&
 			text_parse_typed_number(number, &speed) &&
@@ -336,13 +336,14 @@ is_two_speeds(
 	if (measured || (!usual && (one < 10 || two < 10)))
 		return false;
 	if (!takes_list)
-		session_note(s, "read %s as %s m/s: %s takes one speed", word,
-		    number, command);
+		session_print_note(s, "read %s as %s m/s: %s takes one speed",
+		    word, number, command);
 	else if (usual)
-		session_note(s, "read %s as two speeds; for %s m/s type %s",
-		    word, number, number);
+		session_print_note(s,
+		    "read %s as two speeds; for %s m/s type %s", word, number,
+		    number);
 	else
-		session_note(s,
+		session_print_note(s,
 		    "read %s as %s m/s; for two speeds type: %s %u %u", word,
 		    number, command, one, two);
 	return takes_list && usual;
@@ -353,11 +354,11 @@ static void
 join_words_to_speed_range(struct words *words)
 {
 	bool list;
-	if (words->n < 4 || !text_same_folded(words->text[2], "to") ||
-	    !is_speed_range_or_list(words->text[1], &list) || list ||
-	    !is_speed_range_or_list(words->text[3], &list))
+	if (words->n < 4 || !text_is_same_folded(words->text[2], "to") ||
+	    !is_speed_or_range_or_list(words->text[1], &list) || list ||
+	    !is_speed_or_range_or_list(words->text[3], &list))
 		return;
-	FREED char *from = speed_as_list_item(words->text[1], false);
+	FREED char *from = format_speed_as_list_item(words->text[1], false);
 	FREED char *range = xasprintf("%s..%s", from, words->text[3]);
 	words_replace_by_one(words, 1, 3, range);
 }
@@ -369,7 +370,7 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	char *const word[] = {OPTION};
 	const struct command *command = words->n > 1 ? words->command : NULL;
 	const struct command *lister =
-	    command != NULL ? command_meant_by_words(command, word, 1) : NULL;
+	    command != NULL ? command_find_by_options(command, word, 1) : NULL;
 	if (lister == NULL ||
 	    command_option_index(lister, "speeds") == OPTIONS) {
 		if (command != NULL && command->bare != NULL &&
@@ -383,11 +384,12 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	bool lists = false, list;
 	size_t n = 1;
 	FREED char *joined = xstrdup(OPTION);
-	for (; n < words->n && is_speed_range_or_list(words->text[n], &list);
+	for (; n < words->n && is_speed_or_range_or_list(words->text[n], &list);
 	     n++) {
 		list = list || (!bare && is_two_speeds(s, words->text[n],
 					     command->name, true));
-		FREED char *part = speed_as_list_item(words->text[n], list);
+		FREED char *part =
+		    format_speed_as_list_item(words->text[n], list);
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}

@@ -51,7 +51,7 @@ write_session_script(const void *data, FILE *out)
 
 /* Returns "4 commands, tierp" as the file has it, in the language of texts. */
 static char *
-words_of_left_file(const struct autosave_left *file)
+leftover_autosave_text(const struct autosave_left *file)
 {
 	char *end;
 	unsigned long n = strtoul(file->about, &end, 10);
@@ -83,7 +83,7 @@ autosave_begin(struct session *s)
 	if (n > 0) {
 		const struct tm *tm = localtime(&file[0].when.tv_sec);
 		strftime(day, sizeof day, " %H:%M", tm);
-		FREED char *about = words_of_left_file(&file[0]);
+		FREED char *about = leftover_autosave_text(&file[0]);
 		offer = xasprintf(
 		    n > 1 ? tr("'restore last' brings back your last session, "
 			       "of %d %s%s (%s); 'restore' lists earlier ones")
@@ -118,7 +118,7 @@ write_autosave(struct session *s)
 /* Removes the file that was restored, once its session is kept elsewhere: in
  * this session's file, or in one of the user's. */
 static void
-remove_restored_file(struct autosave *k)
+remove_restored_autosave(struct autosave *k)
 {
 	if (k->restored != NULL)
 		remove(k->restored);
@@ -128,7 +128,7 @@ remove_restored_file(struct autosave *k)
 
 /* Called after a command.  whole: if it restored a session, all of it ran. */
 static void
-keep_restored_path(struct autosave *k, bool whole)
+set_restored_autosave_path(struct autosave *k, bool whole)
 {
 	if (k->restoring == NULL)
 		return;
@@ -149,7 +149,7 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 	if (ok && saved) {
 		k->saved = now.state;
 		if (now.start == k->written.start)
-			remove_restored_file(k);
+			remove_restored_autosave(k);
 	}
 	/* The commands of a script are saved together, as they are undone. */
 	if (s->scripts > s->typed_depth)
@@ -157,7 +157,7 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 	/* A session of which only a part was restored does not become the
 	 * newest. */
 	bool in_part = k->restoring != NULL && !ok;
-	keep_restored_path(k, ok);
+	set_restored_autosave_path(k, ok);
 	if (in_part)
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||
@@ -167,7 +167,7 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 
 /* Says how to keep calibrations that are in no file and not in the store. */
 static void
-note_fits_not_remembered(struct session *s)
+print_fits_not_remembered(struct session *s)
 {
 	const char *key = NULL;
 	size_t n = 0;
@@ -180,12 +180,12 @@ note_fits_not_remembered(struct session *s)
 		}
 	}
 	if (n == 1)
-		session_note(s,
+		session_print_note(s,
 		    "the calibration of %s was not remembered; next time, "
 		    "'restore last' brings it back and 'remember %s' keeps it",
 		    key, key);
 	else if (n > 1)
-		session_note(s,
+		session_print_note(s,
 		    "%zu calibrations were not remembered; next time, 'restore "
 		    "last' brings them back and 'remember all' keeps them",
 		    n);
@@ -193,7 +193,7 @@ note_fits_not_remembered(struct session *s)
 
 /* Says how to keep cuts that were added to sites of the store. */
 static void
-note_cuts_not_remembered(struct session *s)
+print_cuts_not_remembered(struct session *s)
 {
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
@@ -201,7 +201,7 @@ note_cuts_not_remembered(struct session *s)
 		if (name == NULL && origin_is_from_store(entry->origin))
 			name = entry->origin->material;
 		if (entry->new_cuts > 0 && name != NULL)
-			session_note(s,
+			session_print_note(s,
 			    entry->new_cuts > 1
 				? N_("%zu new cuts of %s were not remembered; "
 				     "next time, 'restore last' brings them "
@@ -222,11 +222,12 @@ autosave_end(struct session *s)
 	if (has_unsaved_changes(s)) {
 		write_autosave(s);
 		if (k->error.kind == ERROR_NONE) {
-			remove_restored_file(k);
-			note_fits_not_remembered(s);
-			note_cuts_not_remembered(s);
+			remove_restored_autosave(k);
+			print_fits_not_remembered(s);
+			print_cuts_not_remembered(s);
 		} else
-			session_note(s, "could not keep this session: %s%s%s",
+			session_print_note(s,
+			    "could not keep this session: %s%s%s",
 			    k->error.file, k->error.file[0] != '\0' ? ": " : "",
 			    k->error.text);
 	}
@@ -254,18 +255,18 @@ autosave_newest_path(struct session *s, struct error *error)
 }
 
 bool
-autosave_show_list(struct session *s)
+autosave_show_sessions(struct session *s)
 {
 	size_t n;
 	struct autosave_left *file = autosave_list_left_files(&n);
 	struct answer *r = answer_new("restore");
-	answer_title(r, "unsaved sessions");
-	answer_columns(r, "time, what, file");
+	answer_set_title(r, "unsaved sessions");
+	answer_add_columns(r, "time, what, file");
 	for (size_t i = 0; i < n; i++) {
 		char when[32];
 		strftime(when, sizeof when, "%Y-%m-%d %H:%M",
 		    localtime(&file[i].when.tv_sec));
-		FREED char *about = words_of_left_file(&file[i]);
+		FREED char *about = leftover_autosave_text(&file[i]);
 		answer_add_cells(r, "%s %s %s", when, about, file[i].path);
 	}
 	answer_note(r, n > 0 ? N_("run 'restore last' for the first, 'restore "

@@ -30,6 +30,6 @@ void autosave_end(struct session *s);
 char *autosave_newest_path(struct session *s, struct error *error);
 
 /* Shows the list of unsaved sessions.  Returns true. */
-bool autosave_show_list(struct session *s);
+bool autosave_show_sessions(struct session *s);
 
 #endif

@@ -73,7 +73,7 @@ call_paths_map(const char *paths,
 	for (const char *at = paths, *next; at != NULL; at = next) {
 		size_t length;
 		double share;
-		next = value_parse_blend_feed(at, &length, &share);
+		next = value_parse_feed_and_share(at, &length, &share);
 		FREED char *one = xstrndup(at, length), *mapped = map(one, of);
 		size_t rest = next != NULL ? (size_t)(next - at) : strlen(at);
 		xappend(&whole, "%s%.*s", mapped, (int)(rest - length),

@@ -40,7 +40,7 @@ report_rows_read(void *data, uint64_t rows)
 	const struct session *s = data;
 	const uint64_t often = 1 << 21;
 	if (s->prompt && rows % often == 0)
-		session_note(
+		session_print_note(
 		    s, "  %.1f million rows so far", (double)rows / 1e6);
 	return s->hooks.stop == NULL || !s->hooks.stop();
 }
@@ -56,7 +56,7 @@ file_name_without_extension(const char *path)
 }
 
 const struct energies *
-energies_read_file(struct session *s, const char *path,
+energies_load_file(struct session *s, const char *path,
     const struct collisions_way *way, double cut, struct error *error)
 {
 	struct error_list errors = {.stop = s->hooks.stop};
@@ -64,7 +64,7 @@ energies_read_file(struct session *s, const char *path,
 	struct collisions c;
 	told.progress = report_rows_read;
 	told.data = s;
-	files_note_read(s, path);
+	files_record_read(s, path);
 	if (!collisions_read(path, &told, &c, &errors)) {
 		session_report_file_faults(s, path, &errors, error);
 		return NULL;
@@ -84,7 +84,7 @@ energies_use_file_in_model(
     struct session *s, const char *path, struct error *error)
 {
 	const struct energies *found = NULL;
-	if (text_same_folded(path, "off")) {
+	if (text_is_same_folded(path, "off")) {
 		s->set.energy = NULL;
 		s->set.model.impacts = (struct impacts){.n = 0};
 		return true;
@@ -94,7 +94,7 @@ energies_use_file_in_model(
 		    strcmp(s->energies[i]->name, path) == 0)
 			found = s->energies[i];
 	if (found == NULL)
-		found = energies_read_file(s, path,
+		found = energies_load_file(s, path,
 		    &(struct collisions_way){.speed = NAN}, ENERGIES_CUT,
 		    error);
 	if (found == NULL)
@@ -105,7 +105,7 @@ energies_use_file_in_model(
 		    "none\nload them with it: energy load %s speed=V",
 		    path);
 	struct impacts impacts =
-	    spectrum_reduce_to_impacts(found->c.spectrum, found->cut);
+	    spectrum_group_impacts_by_energy(found->c.spectrum, found->cut);
 	if (impacts.n == 0)
 		return error_set(error, ERROR_DATA,
 		    "expected impacts above %g J/kg in %s, got none\n"
@@ -120,7 +120,7 @@ energies_use_file_in_model(
 
 /* Returns the energies that the model uses, or NULL. */
 static const struct energies *
-energies_in_model(const struct session *s)
+energies_used_by_model(const struct session *s)
 {
 	for (size_t j = 0; j < s->n_energies; j++)
 		if (s->set.model.impacts.n > 0 &&
@@ -132,7 +132,7 @@ energies_in_model(const struct session *s)
 void
 energies_put_field(struct fields *o, const struct session *s)
 {
-	const struct energies *e = energies_in_model(s);
+	const struct energies *e = energies_used_by_model(s);
 	if (e != NULL)
 		fields_put_values(o, "energies %s", e->name);
 }
@@ -141,7 +141,7 @@ char *
 energies_trust_reason(const struct session *s)
 {
 	const struct impacts *i = &s->set.model.impacts;
-	const struct energies *e = energies_in_model(s);
+	const struct energies *e = energies_used_by_model(s);
 	if (e == NULL)
 		return NULL;
 	if (!e->c.spectrum->counted)

@@ -22,7 +22,7 @@ struct energies {
 /* Reads a file, even if it was read before, because it may have changed.  The
  * session keeps the result until it ends.  Returns NULL with an error on
  * failure. */
-const struct energies *energies_read_file(struct session *s, const char *path,
+const struct energies *energies_load_file(struct session *s, const char *path,
     const struct collisions_way *way, double cut, struct error *error);
 
 void energies_free(struct energies *e);

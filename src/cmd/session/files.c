@@ -73,20 +73,20 @@ files_compute_digest(const char *path, uint64_t *digest)
 }
 
 void
-files_note_read(struct session *s, const char *path)
+files_record_read(struct session *s, const char *path)
 {
 	struct use_of_file *use = record_use_of_file(s, path, false);
 	use->has_digest = files_compute_digest(path, &use->digest);
 }
 
 size_t
-files_count_uses(const struct session *s)
+files_count_all_uses(const struct session *s)
 {
 	return s->files != NULL ? s->files->uses : 0;
 }
 
 const char *
-files_path_if_read(const struct session *s, size_t number, uint64_t *digest)
+files_path_of_nth_read(const struct session *s, size_t number, uint64_t *digest)
 {
 	const struct use_of_file *use = s->files->use;
 	for (size_t i = 0; i < s->files->n; i++, use++)
@@ -98,13 +98,13 @@ files_path_if_read(const struct session *s, size_t number, uint64_t *digest)
 }
 
 void
-files_note_written(struct session *s, const char *path)
+files_record_written(struct session *s, const char *path)
 {
 	record_use_of_file(s, path, true);
 }
 
 void
-files_set_session_script(struct session *s, const char *path, bool saved)
+files_set_session_script_path(struct session *s, const char *path, bool saved)
 {
 	struct files *f = session_files_or_new(s);
 	char *holder = xstrdup(path);
@@ -112,11 +112,11 @@ files_set_session_script(struct session *s, const char *path, bool saved)
 	f->holder = holder;
 	f->saved = saved;
 	if (saved)
-		files_note_written(s, path);
+		files_record_written(s, path);
 }
 
 const char *
-files_session_script(const struct session *s, bool *saved)
+files_session_script_path(const struct session *s, bool *saved)
 {
 	if (saved != NULL)
 		*saved = s->files != NULL && s->files->saved;
@@ -137,7 +137,7 @@ files_free(struct files *files)
 
 /* True if the file is the one at this path. */
 static bool
-is_file_at_path(const char *path, const struct stat *file)
+is_path_of_same_file(const char *path, const struct stat *file)
 {
 	struct stat other;
 	return path != NULL && stat(path, &other) == 0 &&
@@ -147,13 +147,13 @@ is_file_at_path(const char *path, const struct stat *file)
 /* True if the file is among those written or, if `written` is false, among
  * those read. */
 static bool
-was_file_read_or_written(
+is_file_in_read_or_written_list(
     const struct session *s, const struct stat *file, bool written)
 {
 	const struct files *f = s->files;
 	for (size_t i = 0; f != NULL && i < f->n; i++)
 		if (f->use[i].written == written &&
-		    is_file_at_path(f->use[i].path, file))
+		    is_path_of_same_file(f->use[i].path, file))
 			return true;
 	return false;
 }
@@ -166,7 +166,7 @@ is_store_file(const struct session *s, const struct stat *file)
 	for (size_t i = 0; i < ARRAY_LEN(PARTS); i++) {
 		FREED char *path =
 		    xasprintf("%s%s", store_path(s->store), PARTS[i]);
-		same = same || is_file_at_path(path, file);
+		same = same || is_path_of_same_file(path, file);
 	}
 	return same;
 }
@@ -178,8 +178,9 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 	if (stat(path, &file) != 0 || !S_ISREG(file.st_mode))
 		return file_check_writable(path, error);
 	bool store = is_store_file(s, &file);
-	bool script = is_file_at_path(files_session_script(s, NULL), &file);
-	if (store || script || was_file_read_or_written(s, &file, false))
+	bool script =
+	    is_path_of_same_file(files_session_script_path(s, NULL), &file);
+	if (store || script || is_file_in_read_or_written_list(s, &file, false))
 		return error_set(error, ERROR_SYSTEM,
 		    store ? N_("%s is the store and cannot be overwritten by a "
 			       "result\nuse another file name")
@@ -211,7 +212,8 @@ files_confirm_replace(struct session *s, const char *path, struct error *error)
 	struct stat file;
 	if (s->hooks.confirm == NULL || s->scripts > s->typed_depth ||
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
-	    file.st_size == 0 || was_file_read_or_written(s, &file, true))
+	    file.st_size == 0 ||
+	    is_file_in_read_or_written_list(s, &file, true))
 		return true;
 	FREED char *question = xasprintf(tr("%s exists: replace it?"), path);
 	bool yes = s->hooks.confirm(s, question, false);

@@ -10,18 +10,19 @@
 
 #include "cmd/session/session.h"
 
-/* Call files_note_read when a command is about to read a file, and
- * files_note_written when it has written one. */
-void files_note_read(struct session *s, const char *path);
-void files_note_written(struct session *s, const char *path);
+/* Call files_record_read when a command is about to read a file, and
+ * files_record_written when it has written one. */
+void files_record_read(struct session *s, const char *path);
+void files_record_written(struct session *s, const char *path);
 
 /* Notes the script that holds the session, because the session was saved to it,
  * if `saved`, or restored from it. */
-void files_set_session_script(struct session *s, const char *path, bool saved);
+void files_set_session_script_path(
+    struct session *s, const char *path, bool saved);
 
-/* Returns the script of files_set_session_script, or NULL.  *saved, unless
+/* Returns the script of files_set_session_script_path, or NULL.  *saved, unless
  * NULL: the session was saved to it. */
-const char *files_session_script(const struct session *s, bool *saved);
+const char *files_session_script_path(const struct session *s, bool *saved);
 
 /* True if the file can be written and is neither one that the session has read
  * (a sheet, script, envelope or the store), under whatever name, nor the script
@@ -43,11 +44,12 @@ bool files_confirm_replace(
  * file or cannot be read. */
 bool files_compute_digest(const char *path, uint64_t *digest);
 
-/* files_count_uses returns how many times files were read or written;
- * files_path_if_read returns the path of use `number`, from 0, and its digest
- * then, or NULL if it was a write, has no digest, or was read again later. */
-size_t files_count_uses(const struct session *s);
-const char *files_path_if_read(
+/* files_count_all_uses returns how many times files were read or written;
+ * files_path_of_nth_read returns the path of use `number`, from 0, and its
+ * digest then, or NULL if it was a write, has no digest, or was read again
+ * later. */
+size_t files_count_all_uses(const struct session *s);
+const char *files_path_of_nth_read(
     const struct session *s, size_t number, uint64_t *digest);
 
 void files_free(struct files *files);

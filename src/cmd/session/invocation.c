@@ -47,7 +47,7 @@ check_allowed_in_safe_mode(
 					 : tr("writing to a file"));
 	else
 		return true;
-	return error_hint(error,
+	return error_set_hint(error,
 	    "start the program without --safe to allow it: with --safe it "
 	    "reads only the files of its command line and writes none");
 }
@@ -55,7 +55,7 @@ check_allowed_in_safe_mode(
 static double
 feed_speed_of_prediction(const struct session *s)
 {
-	return session_answer_number(s, "predict", "feed_mps");
+	return session_number_in_last_answer(s, "predict", "feed_mps");
 }
 
 bool
@@ -76,7 +76,7 @@ invocation_begin(struct session *s, const struct args *args,
 	    .place = place,
 	    .column =
 		words->to == TO_SCREEN ? words->column[0] : words->to_column,
-	    .started = session_clock(),
+	    .started = session_clock_seconds(),
 	    .timed = s->set.timing,
 	    .running = true,
 	    .scripts = s->scripts};
@@ -88,21 +88,21 @@ invocation_begin(struct session *s, const struct args *args,
 		free(t);
 		return false;
 	}
-	t->label = journal_call_as_typed(command, words);
-	t->line = journal_call_as_saved(args, words);
+	t->label = journal_typed_command_text(command, words);
+	t->line = journal_saved_command_text(args, words);
 	t->state = journal_current_place(s).state;
 	t->steps = undo_count_steps(s);
-	t->uses = files_count_uses(s);
+	t->uses = files_count_all_uses(s);
 	t->asked = s->last_asked;
 	t->fed = feed_speed_of_prediction(s);
 	if (command->flags & COMMAND_CHANGES)
-		t->before = snapshot_take(s);
+		t->before = snapshot_take_session(s);
 	s->invocation = t;
 	return true;
 }
 
 void
-invocation_note_job_stopped(struct session *s, size_t steps)
+invocation_set_job_stopped(struct session *s, size_t steps)
 {
 	struct invocation *t = s->job.invocation;
 	if (t == NULL)
@@ -112,7 +112,7 @@ invocation_note_job_stopped(struct session *s, size_t steps)
 }
 
 void
-invocation_journal_options(struct session *s, const char *format, ...)
+invocation_add_journal_options(struct session *s, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
@@ -140,15 +140,15 @@ was_stopped_without_result(const struct invocation *t)
 /* Adds lines that check that the files that the command read are unchanged.
  * Commands with digest= check the numbers themselves. */
 static void
-record_digest_checks(
+add_file_checks_to_journal(
     struct session *s, const struct invocation *t, const char *latest)
 {
 	uint64_t digest;
-	size_t n = files_count_uses(s);
+	size_t n = files_count_all_uses(s);
 	if (command_option_index(t->command, "digest") < OPTIONS)
 		return;
 	for (size_t i = t->uses; i < n; i++) {
-		const char *path = files_path_if_read(s, i, &digest);
+		const char *path = files_path_of_nth_read(s, i, &digest);
 		if (path == NULL)
 			continue;
 		journal_add_file_check(s, latest, path, digest);
@@ -172,7 +172,7 @@ has_asked_otherwise(const struct session *s, const struct invocation *t)
 /* Adds the command's line to the journal.  If its results are redirected, a
  * saved script does not write them, but repeats what the command changed. */
 static void
-record_line_in_journal(
+record_command_in_journal(
     struct session *s, const struct invocation *t, bool changed)
 {
 	static const char aside[] = " > /dev/null";
@@ -192,7 +192,7 @@ record_line_in_journal(
 	char pause[32] = "";
 	if (t->stopped)
 		snprintf(pause, sizeof pause, " pause=%zu", t->stopped_at);
-	record_digest_checks(s, t, latest);
+	add_file_checks_to_journal(s, t, latest);
 	journal_add_line(
 	    s, latest, "%s%s%s", t->line, pause, elsewhere ? aside : "");
 }
@@ -209,7 +209,7 @@ invocation_journal_question(
 /* Returns the number of undo steps when the outermost invocation began;
  * SIZE_MAX if t is the outermost. */
 static size_t
-undo_depth_at_outermost(const struct invocation *t)
+undo_depth_at_outermost_call(const struct invocation *t)
 {
 	size_t floor = SIZE_MAX;
 	for (t = t->outer; t != NULL; t = t->outer)
@@ -244,7 +244,7 @@ invocation_end(struct session *s, bool ok, struct error *error)
 		       snapshot_differs(t->before, s);
 	s->invocation = t->outer;
 	if (ok)
-		record_line_in_journal(s, t, changed);
+		record_command_in_journal(s, t, changed);
 	if (t->redirect != NULL)
 		redirect_close(s, t->redirect, keep, &t->late);
 	if (ok && t->late.kind != ERROR_NONE) {
@@ -255,19 +255,19 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	}
 	if (changed && !t->joins)
 		undo_push_step(s, t->before, t->steps,
-		    undo_depth_at_outermost(t), t->label);
+		    undo_depth_at_outermost_call(t), t->label);
 	else
 		snapshot_free(t->before);
 	if (changed)
 		s->job.newest = t->stopped;
 	if (t->timed && s->set.timing)
-		session_note(s, "%s: %.3f s", t->command->name,
-		    session_clock() - t->started);
+		session_print_note(s, "%s: %.3f s", t->command->name,
+		    session_clock_seconds() - t->started);
 	/* If it ran a script, the commands there may have numbered the state
 	 * already. */
 	if (changed && !(t->command->flags & COMMAND_APPEARANCE) &&
 	    journal_current_place(s).state == t->state)
-		journal_number_new_state(s);
+		journal_assign_state_number(s);
 	autosave_after_command(s, ok, t->saved);
 	invocation_free(t);
 	return ok;

@@ -32,7 +32,7 @@ struct invocation {
 	size_t stopped_at; /* after so many steps; 0: no result */
 	/* Makes it fail at its end; the results are kept, but lack a part. */
 	struct error late;
-	double started; /* session_clock */
+	double started; /* session_clock_seconds */
 	bool timed;
 	bool running; /* its function has not returned */
 	/* If it succeeds, the session is in a file of the user's. */
@@ -51,11 +51,11 @@ bool invocation_is_over(const struct session *s);
 
 /* Notes that the job was stopped after so many steps, so that a saved script
  * stops it there too; 0: it gave no result. */
-void invocation_note_job_stopped(struct session *s, size_t steps);
+void invocation_set_job_stopped(struct session *s, size_t steps);
 
 /* Appends options, such as " digest=HEX", to the line that the journal will
  * have of the running command. */
-void invocation_journal_options(struct session *s, const char *format, ...)
+void invocation_add_journal_options(struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds to the journal the line of a question that no command asked, see

@@ -31,7 +31,7 @@ journal_current_place(const struct session *s)
 }
 
 void
-journal_number_new_state(struct session *s)
+journal_assign_state_number(struct session *s)
 {
 	s->journal->state = ++s->journal->states;
 }
@@ -59,7 +59,7 @@ journal_remove_lines_after(struct session *s, struct mark mark)
 }
 
 void
-journal_put_back_lines(struct session *s, struct removed_lines *tail)
+journal_restore_lines(struct session *s, struct removed_lines *tail)
 {
 	struct journal *j = s->journal;
 	/* Lines may have been added since these were removed. */
@@ -97,7 +97,7 @@ journal_free(struct journal *j)
 
 /* True for the line "predict 74" and the name predict. */
 static bool
-is_call_of(const char *line, const char *name)
+is_call_of_command(const char *line, const char *name)
 {
 	size_t n = strlen(name);
 	return strncmp(line, name, n) == 0 &&
@@ -107,13 +107,14 @@ is_call_of(const char *line, const char *name)
 /* Removes the last line if it is a call of the command `latest`, and the assert
  * lines that check the files that it read. */
 static void
-remove_last_call_of(struct journal *j, const char *latest)
+remove_last_line_if_call(struct journal *j, const char *latest)
 {
 	if (latest == NULL || j->n <= j->start ||
-	    !is_call_of(j->line[j->n - 1], latest))
+	    !is_call_of_command(j->line[j->n - 1], latest))
 		return;
 	free(j->line[--j->n]);
-	while (j->n > j->start && is_call_of(j->line[j->n - 1], "assert"))
+	while (
+	    j->n > j->start && is_call_of_command(j->line[j->n - 1], "assert"))
 		free(j->line[--j->n]);
 }
 
@@ -128,7 +129,7 @@ void
 journal_add_line(struct session *s, const char *latest, const char *line, ...)
 {
 	struct journal *j = s->journal;
-	remove_last_call_of(j, latest);
+	remove_last_line_if_call(j, latest);
 	va_list ap;
 	va_start(ap, line);
 	append_journal_line(j, xvasprintf(line, ap));
@@ -183,10 +184,10 @@ journal_add_settings(struct session *s)
 }
 
 void
-journal_append_word(char **line, const char *word)
+journal_append_quoted_word(char **line, const char *word)
 {
 	bool plain = word[0] != '\0' && strpbrk(word, " \t;#\"|>\\") == NULL;
-	FREED char *quoted = text_in_quotes(word);
+	FREED char *quoted = text_add_quotes(word);
 	xappend(line, " %s", plain ? word : quoted);
 }
 
@@ -220,12 +221,12 @@ absolute_path(const char *path, const void *unused)
 /* Appends a path, or each path of a blend of feeds, as option `key` unless that
  * is NULL. */
 static void
-append_path_of_option(char **line, const char *key, const char *path)
+append_option_with_paths(char **line, const char *key, const char *path)
 {
 	FREED char *paths = call_paths_map(path, absolute_path, NULL);
 	FREED char *whole =
 	    key != NULL ? xasprintf("%s=%s", key, paths) : xstrdup(paths);
-	journal_append_word(line, whole);
+	journal_append_quoted_word(line, whole);
 }
 
 /* Returns the length of the first part of a goal: a condition, in which a comma
@@ -267,7 +268,7 @@ append_goal_setting(char **line, const char *word)
 			xappend(&whole, "%c", at[n++]);
 		at += n;
 	}
-	journal_append_word(line, whole);
+	journal_append_quoted_word(line, whole);
 }
 
 void
@@ -276,9 +277,9 @@ journal_add_file_check(
 {
 	struct journal *j = s->journal;
 	char *line = xstrdup("assert");
-	append_path_of_option(&line, NULL, path);
+	append_option_with_paths(&line, NULL, path);
 	xappend(&line, " is %016" PRIx64, digest);
-	remove_last_call_of(j, latest);
+	remove_last_line_if_call(j, latest);
 	bool known = false;
 	for (size_t i = j->start; i < j->n; i++)
 		known = known || strcmp(j->line[i], line) == 0;
@@ -303,7 +304,7 @@ is_goal_setting(const struct command_option *o)
 }
 
 char *
-journal_call_as_saved(const struct args *args, const struct words *words)
+journal_saved_command_text(const struct args *args, const struct words *words)
 {
 	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
@@ -317,16 +318,16 @@ journal_call_as_saved(const struct args *args, const struct words *words)
 			continue;
 		}
 		if (path != NULL)
-			append_path_of_option(
+			append_option_with_paths(
 			    &line, path != word ? o->name : NULL, path);
 		else
-			journal_append_word(&line, word);
+			journal_append_quoted_word(&line, word);
 	}
 	return line;
 }
 
 char *
-journal_line_to_load(
+journal_load_command_text(
     uint64_t digest, size_t n, const char *const *path, const double *speed)
 {
 	char *line = xstrdup("load"), number[32];
@@ -336,14 +337,14 @@ journal_line_to_load(
 			? xasprintf("%s@%s", path[i],
 			      text_shortest_exact_number(speed[i], number))
 			: xstrdup(path[i]);
-		append_path_of_option(&line, NULL, word);
+		append_option_with_paths(&line, NULL, word);
 	}
 	xappend(&line, " digest=%016" PRIx64, digest);
 	return line;
 }
 
 char *
-journal_options_to_load(const struct site_request *q)
+journal_load_options_text(const struct site_request *q)
 {
 	char *text = xstrdup(""), number[32];
 	if (q->columns != NULL)
@@ -366,7 +367,8 @@ journal_options_to_load(const struct site_request *q)
 }
 
 char *
-journal_call_as_typed(const struct command *command, const struct words *words)
+journal_typed_command_text(
+    const struct command *command, const struct words *words)
 {
 	char *label = xstrdup(command->name);
 	for (size_t i = 1; i < words->n; i++)
@@ -379,7 +381,8 @@ journal_call_as_typed(const struct command *command, const struct words *words)
 static void
 write_script_provenance(FILE *out, const struct site *site)
 {
-	FREED char *kind = site_source_clause(site, "provenance not stated");
+	FREED char *kind =
+	    site_provenance_first_clause(site, "provenance not stated");
 	FREED char *line = xasprintf("# %s: %s", site->name, kind);
 	for (char *p = line; *p != '\0'; p++)
 		*p = *p == '\\' ? ' ' : *p;
@@ -392,7 +395,7 @@ write_script_provenance(FILE *out, const struct site *site)
 static void
 write_journal_line(const char *line, const char *folder, FILE *out)
 {
-	FREED char *quoted = folder != NULL ? text_in_quotes(folder) : NULL;
+	FREED char *quoted = folder != NULL ? text_add_quotes(folder) : NULL;
 	size_t n = folder != NULL ? strlen(quoted) - 2 : 0;
 	for (const char *p = line; *p != '\0'; p++) {
 		if (*p != PATH_BEGINS) {

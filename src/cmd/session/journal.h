@@ -29,7 +29,7 @@ struct removed_lines {
 
 struct removed_lines journal_remove_lines_after(
     struct session *s, struct mark mark);
-void journal_put_back_lines(struct session *s, struct removed_lines *tail);
+void journal_restore_lines(struct session *s, struct removed_lines *tail);
 void removed_lines_free(struct removed_lines *tail);
 
 /* Adds a line.  If the last line is a call of the command `latest`, it is
@@ -52,7 +52,7 @@ void journal_add_file_check(
     struct session *s, const char *latest, const char *path, uint64_t digest);
 
 /* Gives the state of the session a new number. */
-void journal_number_new_state(struct session *s);
+void journal_assign_state_number(struct session *s);
 
 /* Starts anew: the lines so far are no longer part of the session. */
 void journal_discard_all_lines(struct session *s);
@@ -61,26 +61,27 @@ void journal_discard_all_lines(struct session *s);
 void journal_add_settings(struct session *s);
 
 /* Appends " WORD" to a line, quoted if necessary. */
-void journal_append_word(char **line, const char *word);
+void journal_append_quoted_word(char **line, const char *word);
 
 /* Returns the call as a line that means the same in any folder and script: with
  * full name and absolute paths.  Leaves out pause=, which is added when the job
  * stops, with the step at which it does.  The caller frees it. */
-char *journal_call_as_saved(const struct args *args, const struct words *words);
+char *journal_saved_command_text(
+    const struct args *args, const struct words *words);
 
 /* Returns "load FILE@SPEED.. digest=HEX" for what was read from n files.
  * speed: of the samples in each file, m/s, or 0; NULL for none.  The caller
  * frees it. */
-char *journal_line_to_load(
+char *journal_load_command_text(
     uint64_t digest, size_t n, const char *const *path, const double *speed);
 
 /* Returns the options of a request as one would type them, " sheet=\"B\"
  * top=16".  The caller frees it. */
-char *journal_options_to_load(const struct site_request *request);
+char *journal_load_options_text(const struct site_request *request);
 
 /* Returns the call as typed, but with the full name of the command.  The caller
  * frees it. */
-char *journal_call_as_typed(
+char *journal_typed_command_text(
     const struct command *command, const struct words *words);
 
 /* Returns false with an error if a file name contains bytes that a script

@@ -20,7 +20,7 @@ free_cached_ensembles(struct history *h)
 }
 
 void
-history_discard_draws(struct history *h, const struct settings *set)
+history_reset_posteriors(struct history *h, const struct settings *set)
 {
 	for (size_t i = 0; i < ARRAY_LEN(h->posterior); i++) {
 		posterior_free(h->posterior[i]);
@@ -39,7 +39,7 @@ history_discard_draws(struct history *h, const struct settings *set)
 }
 
 void
-history_discard_for_site(struct history *h, const struct site *site)
+history_free_ensembles_of_site(struct history *h, const struct site *site)
 {
 	if (h == NULL)
 		return;
@@ -56,7 +56,7 @@ entry_without_scenario(const struct entry *entry)
 }
 
 double
-entry_rotor_of_params(const struct entry *entry)
+entry_rotor_of_calibration(const struct entry *entry)
 {
 	bool known = entry->origin != NULL && entry->origin->history != NULL;
 	return known ? entry->origin->history->site->rotor : entry->site->rotor;
@@ -82,7 +82,7 @@ history_release(struct history *h)
 {
 	if (h == NULL || --h->holders > 0)
 		return;
-	history_discard_draws(h, &(struct settings){0});
+	history_reset_posteriors(h, &(struct settings){0});
 	free(h->generation);
 	free(h->train);
 	free(h);
@@ -109,7 +109,7 @@ add_training_speed(struct origin *o, double speed)
 }
 
 static struct history *
-share_history(struct history *h)
+retain_fit_history(struct history *h)
 {
 	if (h != NULL)
 		h->holders++;
@@ -117,7 +117,7 @@ share_history(struct history *h)
 }
 
 static struct origin *
-share_origin(struct origin *origin)
+retain_origin(struct origin *origin)
 {
 	if (origin != NULL)
 		origin->holders++;
@@ -125,14 +125,14 @@ share_origin(struct origin *origin)
 }
 
 struct origin *
-origin_of_fit(const struct entry *entry)
+origin_new_of_fit(const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	struct origin *o = origin_new(
 	    xstrdup(tr("found by calibration")), "", site->provenance);
 	o->found = true;
 	o->digest = site->digest;
-	o->history = share_history(entry->history);
+	o->history = retain_fit_history(entry->history);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (entry->train[r] && !site_run_repeats_speed(site, r))
 			add_training_speed(o, site->run[r].speed);
@@ -146,23 +146,23 @@ origin_new_by_hand(void)
 }
 
 struct origin *
-origin_of_params_taken(const struct entry *from)
+origin_new_of_copied_params(const struct entry *from)
 {
 	struct origin *was = from->origin;
 	if (was->from[0] != '\0')
-		return share_origin(was);
+		return retain_origin(was);
 	struct origin *o = origin_new(xasprintf(tr("taken from %s"), from->key),
 	    from->key, was->provenance);
 	o->found = was->found;
 	o->digest = was->digest;
-	o->history = share_history(was->history);
+	o->history = retain_fit_history(was->history);
 	for (size_t i = 0; i < was->n_speed; i++)
 		add_training_speed(o, was->speed[i]);
 	return o;
 }
 
 static void
-set_material_of_origin(struct origin *o, const struct material *m)
+set_origin_material(struct origin *o, const struct material *m)
 {
 	free(o->material);
 	free(o->date);
@@ -171,15 +171,16 @@ set_material_of_origin(struct origin *o, const struct material *m)
 }
 
 struct origin *
-origin_of_remembered_fit(const struct entry *entry, const struct material *m)
+origin_new_of_remembered_fit(
+    const struct entry *entry, const struct material *m)
 {
-	struct origin *o = origin_of_fit(entry);
+	struct origin *o = origin_new_of_fit(entry);
 	free(o->words);
 	o->words =
 	    m->date[0] != '\0'
 		? xasprintf(tr("remembered on %s as %s"), m->date, m->name)
 		: xasprintf(tr("remembered as %s"), m->name);
-	set_material_of_origin(o, m);
+	set_origin_material(o, m);
 	return o;
 }
 
@@ -190,11 +191,11 @@ origin_is_from_store(const struct origin *o)
 }
 
 struct origin *
-origin_from_store(const struct material *m)
+origin_new_from_store(const struct material *m)
 {
 	struct origin *o = origin_new(
 	    xasprintf(tr("from store: %s"), m->name), m->name, m->provenance);
-	set_material_of_origin(o, m);
+	set_origin_material(o, m);
 	o->digest = strtoull(m->site_digest, NULL, 16);
 	FREED char *list = xstrdup(m->train_mps);
 	char *next = NULL;
@@ -231,7 +232,7 @@ origin_is_same(const struct origin *a, const struct origin *b)
 }
 
 const struct fit *
-origin_source_fit(const struct entry *entry)
+origin_fit_behind_params(const struct entry *entry)
 {
 	bool known = entry->origin != NULL && entry->origin->history != NULL;
 	return known ? &entry->origin->history->fit : NULL;
@@ -251,7 +252,7 @@ origin_has_training_speeds(const struct entry *entry)
 }
 
 bool
-origin_known_speed_range(
+origin_training_speed_range(
     const struct entry *entry, double *slowest, double *fastest)
 {
 	const struct origin *o = entry->origin;
@@ -271,7 +272,7 @@ origin_known_speed_range(
 }
 
 char *
-origin_training_text(const struct origin *o)
+origin_training_speeds_text(const struct origin *o)
 {
 	if (!o->found)
 		return xstrdup(tr("set by hand"));
@@ -303,7 +304,7 @@ origin_is_other_site(const struct entry *entry)
 }
 
 char *
-origin_params_from_sentence(const struct entry *entry)
+origin_params_source_sentence(const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	if (o == NULL || (entry->has_fit && !origin_is_from_store(o)))
@@ -311,7 +312,7 @@ origin_params_from_sentence(const struct entry *entry)
 	if (o->from[0] == '\0')
 		return xasprintf(tr("parameters %s"), o->words);
 	bool own = !origin_is_other_site(entry);
-	FREED char *details = origin_training_text(o);
+	FREED char *details = origin_training_speeds_text(o);
 	return xasprintf(
 	    own && origin_is_from_store(o)
 		? tr("parameters from the store: %s (%s), calibrated on the "
@@ -327,21 +328,21 @@ origin_params_from_sentence(const struct entry *entry)
 }
 
 void
-origin_note_in_answer(struct answer *r, const struct entry *entry)
+origin_add_note_to_answer(struct answer *r, const struct entry *entry)
 {
-	FREED char *sentence = origin_params_from_sentence(entry);
+	FREED char *sentence = origin_params_source_sentence(entry);
 	const struct origin *o = entry->origin;
 	bool whose =
 	    o != NULL && (o->from[0] != '\0' || origin_is_from_store(o));
 	if (sentence[0] != '\0' && whose)
-		answer_say(r,
+		answer_add_sentence(r,
 		    origin_is_other_site(entry) ? ANSWER_WARNING
 						: ANSWER_REMARK,
 		    "%s", sentence);
 }
 
 void
-origin_put_fields(struct fields *o, const struct entry *entry)
+origin_put_param_source(struct fields *o, const struct entry *entry)
 {
 	const struct origin *from = entry->origin;
 	if (from == NULL)
@@ -354,7 +355,7 @@ origin_put_fields(struct fields *o, const struct entry *entry)
 }
 
 const char *
-origin_source_text(const struct entry *entry)
+origin_of_params_text(const struct entry *entry)
 {
 	if (entry->has_fit && !origin_is_from_store(entry->origin))
 		return tr("found by calibration");
@@ -389,9 +390,9 @@ entry_copy(const struct entry *from)
 	to.key = xstrdup(from->key);
 	if (from->remembered != NULL)
 		to.remembered = xstrdup(from->remembered);
-	to.origin = share_origin(from->origin);
+	to.origin = retain_origin(from->origin);
 	to.train = xcalloc(runs, sizeof *to.train);
 	memcpy(to.train, from->train, runs * sizeof *to.train);
-	share_history(to.history);
+	retain_fit_history(to.history);
 	return to;
 }

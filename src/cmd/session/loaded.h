@@ -33,7 +33,7 @@ struct history {
 	struct posterior_run *drawing; /* for posterior[drawn], or NULL */
 	size_t drawn;
 	struct evidence *evidence[2]; /* likewise */
-	double weight;                /* see calibration_sum_of_weights */
+	double weight;                /* see calibration_sum_squared_weights */
 	double noise, speed_sd;       /* those of the draws, and their seed */
 	unsigned draw_seed;
 	/* The runs added to the site since, and the one of them that the
@@ -137,11 +137,11 @@ const struct entry *entry_without_scenario(const struct entry *entry);
 
 /* Returns the diameter of the rotor with which the products behind the entry's
  * parameters were measured, m; 0 if it is not known. */
-double entry_rotor_of_params(const struct entry *entry);
+double entry_rotor_of_calibration(const struct entry *entry);
 
 /* Returns a history, without generations and with one holder, for a calibration
  * that found the fit within the bounds, on the runs marked in train [n_run].
- * weight: see calibration_sum_of_weights.  Borrows the site. */
+ * weight: see calibration_sum_squared_weights.  Borrows the site. */
 struct history *history_new(const struct fit *fit, const struct bounds *bounds,
     double weight, const struct site *site, const bool *train);
 
@@ -150,19 +150,21 @@ void history_release(struct history *history);
 
 /* Discards the draws.  They will be drawn again with the errors and the seed
  * that are set. */
-void history_discard_draws(struct history *history, const struct settings *set);
+void history_reset_posteriors(
+    struct history *history, const struct settings *set);
 
 /* Discards what was computed for a site that is being removed. */
-void history_discard_for_site(struct history *history, const struct site *site);
+void history_free_ensembles_of_site(
+    struct history *history, const struct site *site);
 
 /* Return the origin of parameters that the entry's fit just found, were set by
  * hand, were taken from another entry, are from a material in the store, or are
  * the site's own fit as kept in a material.  The caller owns a share. */
-struct origin *origin_of_fit(const struct entry *entry);
+struct origin *origin_new_of_fit(const struct entry *entry);
 struct origin *origin_new_by_hand(void);
-struct origin *origin_of_params_taken(const struct entry *from);
-struct origin *origin_from_store(const struct material *m);
-struct origin *origin_of_remembered_fit(
+struct origin *origin_new_of_copied_params(const struct entry *from);
+struct origin *origin_new_from_store(const struct material *m);
+struct origin *origin_new_of_remembered_fit(
     const struct entry *entry, const struct material *m);
 
 /* True if the parameters were recalled from the store. */
@@ -172,40 +174,41 @@ void origin_release(struct origin *origin); /* NULL is allowed */
 bool origin_is_same(const struct origin *a, const struct origin *b);
 
 /* Returns where the entry's parameters are from, in words: "set by hand". */
-const char *origin_source_text(const struct entry *entry);
+const char *origin_of_params_text(const struct entry *entry);
 
 /* Returns the fit in this session, on any site, that found the entry's
  * parameters, or NULL. */
-const struct fit *origin_source_fit(const struct entry *entry);
+const struct fit *origin_fit_behind_params(const struct entry *entry);
 
-/* Returns the key of the site to which the fit of origin_source_fit belongs. */
+/* Returns the key of the site to which the fit of origin_fit_behind_params
+ * belongs. */
 const char *origin_site_key(const struct entry *entry);
 
 /* Computes the slowest and fastest training speeds of the parameters or, if
  * these are not known, those of the site's runs that are marked for training.
  * Returns false if there are neither. */
-bool origin_known_speed_range(
+bool origin_training_speed_range(
     const struct entry *entry, double *slowest, double *fastest);
 
-/* True if the speeds of origin_known_speed_range are training speeds. */
+/* True if the speeds of origin_training_speed_range are training speeds. */
 bool origin_has_training_speeds(const struct entry *entry);
 
 /* Returns "trained at 69 and 79 m/s; reconstructed, not measured" or "set by
  * hand".  The caller frees it. */
-char *origin_training_text(const struct origin *origin);
+char *origin_training_speeds_text(const struct origin *origin);
 
 /* True if the parameters are another site's and were not calibrated on the same
  * data as this one's, which deserves a warning. */
 bool origin_is_other_site(const struct entry *entry);
 
-/* origin_params_from_sentence returns "parameters from tierp (..), not
+/* origin_params_source_sentence returns "parameters from tierp (..), not
  * calibrated on this site", or "" if they were found on it; the caller frees
- * it.  origin_note_in_answer notes that for parameters from another site or the
- * store; for parameters set by hand, the light does. */
-char *origin_params_from_sentence(const struct entry *entry);
-void origin_note_in_answer(struct answer *r, const struct entry *entry);
+ * it.  origin_add_note_to_answer notes that for parameters from another site or
+ * the store; for parameters set by hand, the light does. */
+char *origin_params_source_sentence(const struct entry *entry);
+void origin_add_note_to_answer(struct answer *r, const struct entry *entry);
 
 /* Puts the object "params_from": "origin", "trained_mps" and "provenance". */
-void origin_put_fields(struct fields *o, const struct entry *entry);
+void origin_put_param_source(struct fields *o, const struct entry *entry);
 
 #endif

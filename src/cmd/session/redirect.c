@@ -73,16 +73,16 @@ find_output_format(const struct command *command, const struct words *words)
 /* Sets the error for a workbook that we cannot write, with a line that works.
  * Returns false. */
 static bool
-set_error_no_workbook(const struct command *command, const struct words *words,
+set_error_only_xlsx(const struct command *command, const struct words *words,
     struct error *error)
 {
 	const char *target = words->target, *end = strrchr(target, '.');
 	FREED char *line = xstrdup(command->name);
 	for (size_t i = 1; i < words->n; i++)
-		journal_append_word(&line, words->text[i]);
+		journal_append_quoted_word(&line, words->text[i]);
 	FREED char *file = xasprintf("%.*s.xlsx", (int)(end - target), target);
 	xappend(&line, " >");
-	journal_append_word(&line, file);
+	journal_append_quoted_word(&line, file);
 	error_set(error, ERROR_USAGE,
 	    "cannot write %s workbooks, only .xlsx (%s)\nwrite: %s", end,
 	    target, line);
@@ -92,7 +92,7 @@ set_error_no_workbook(const struct command *command, const struct words *words,
 /* Sets the error for an image from a command that does not draw.  Returns
  * false. */
 static bool
-set_error_draws_nothing(
+set_error_cannot_draw(
     const struct command *command, const char *target, struct error *error)
 {
 	size_t kind;
@@ -133,16 +133,16 @@ redirect_is_allowed(const struct command *command, const struct words *words,
 		return true;
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_BOOKS); i++)
 		if (text_ends_with(target, OTHER_BOOKS[i]))
-			return set_error_no_workbook(command, words, error);
-	bool image = picture_form_of_file_name(target, &form);
+			return set_error_only_xlsx(command, words, error);
+	bool image = picture_format_of_file_name(target, &form);
 	enum output_kind kind = find_output_format(command, words)->kind;
-	if (image && !picture_can_draw_form(form))
+	if (image && !picture_can_draw_format(form))
 		return error_set(error, ERROR_USAGE,
 		    "this program draws %s, not %s\n> FILE.%s works",
-		    picture_list_forms(), strrchr(target, '.') + 1,
+		    picture_list_formats(), strrchr(target, '.') + 1,
 		    kind == OUTPUT_PDF ? tr("html") : "svg");
 	if (image && kind == OUTPUT_ANSWERS)
-		return set_error_draws_nothing(command, target, error);
+		return set_error_cannot_draw(command, target, error);
 	return words->to != TO_APPEND || kind == OUTPUT_ANSWERS ||
 	       set_error_cannot_append(kind, target, error);
 }
@@ -167,7 +167,7 @@ struct redirect {
 /* Opens the workbook or document that collects the results, if that is their
  * kind. */
 static bool
-open_book_or_document(
+create_output_book_or_document(
     struct session *s, struct redirect *r, struct error *error)
 {
 	r->outer_book = s->book;
@@ -197,7 +197,7 @@ redirect_open(struct session *s, const struct command *command,
 	struct redirect *r = xcalloc(1, sizeof *r);
 	r->kind = output->kind;
 	r->line = xstrdup(words->typed);
-	if (!open_book_or_document(s, r, error)) {
+	if (!create_output_book_or_document(s, r, error)) {
 		free(r->line);
 		free(r);
 		return NULL;
@@ -223,7 +223,7 @@ redirect_open(struct session *s, const struct command *command,
 	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->document != NULL ? r->document->out : r->memory;
 	s->set.format = r->form;
-	session_set_translation(s);
+	session_set_translation_by_format(s);
 	return r;
 }
 
@@ -253,7 +253,7 @@ output_amount_text(const struct redirect *r, size_t rows)
 	if (r->kind == OUTPUT_PICTURE)
 		return xstrdup(tr("an image"));
 	if (r->document != NULL) {
-		char *text = document_part_counts_text(r->document);
+		char *text = document_parts_summary_text(r->document);
 		if (r->pages > 0)
 			xappend_to_list(&text, ", ",
 			    tr_n("%zu page", "%zu pages", r->pages), r->pages);
@@ -269,7 +269,8 @@ output_amount_text(const struct redirect *r, size_t rows)
 }
 
 static bool
-write_output_file(struct session *s, struct redirect *r, struct error *error)
+write_redirected_output(
+    struct session *s, struct redirect *r, struct error *error)
 {
 	/* The command may have read this file after redirect_open. */
 	if (!files_may_write(s, r->target, error))
@@ -283,29 +284,32 @@ write_output_file(struct session *s, struct redirect *r, struct error *error)
 	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
 		return true;
 	FREED char *what = output_amount_text(r, s->rows);
-	files_note_written(s, r->target);
-	session_note(s, whole ? N_("wrote %s: %s") : N_("added to %s: %s"),
-	    r->target, what);
+	files_record_written(s, r->target);
+	session_print_note(s,
+	    whole ? N_("wrote %s: %s") : N_("added to %s: %s"), r->target,
+	    what);
 	return true;
 }
 
 /* Adds a sheet that states the program, command, site and parameters. */
 static void
-add_about_sheet(struct session *s, const struct redirect *r)
+add_workbook_about_sheet(struct session *s, const struct redirect *r)
 {
 	book_add_about_line(r->book, "program", "tipspeed " PACKAGE_VERSION);
 	book_add_about_line(r->book, "command", r->line);
 	if (!book_has_site(r->book) || s->n_entry == 0)
 		return;
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, true);
+	FREED char *speeds =
+	    session_speeds_of_runs_text(site, ", ", NULL, true);
 	book_add_about_line(r->book, "site", label);
 	book_add_about_line(r->book, "file", site->path);
 	book_add_about_line(r->book, "provenance", site->provenance);
 	book_add_about_line(r->book, "speeds, m/s", speeds);
-	book_add_about_line(r->book, "parameters", origin_source_text(entry));
+	book_add_about_line(
+	    r->book, "parameters", origin_of_params_text(entry));
 	const struct breakage *model = BREAKAGES[entry->params.breakage];
 	for (size_t j = 0; entry->has_params && j < model->n; j++) {
 		const struct param_info *p = &model->parameter[j];
@@ -321,7 +325,7 @@ add_about_sheet(struct session *s, const struct redirect *r)
 
 /* Puts the bytes of the workbook in place of the printed text. */
 static bool
-replace_text_by_workbook(
+replace_printed_text_by_workbook(
     struct session *s, struct redirect *r, struct error *error)
 {
 	if (book_count_sheets(r->book) == 0)
@@ -329,7 +333,7 @@ replace_text_by_workbook(
 		    "no table for a workbook (%s)\n"
 		    "write > FILE.txt instead",
 		    r->target);
-	add_about_sheet(s, r);
+	add_workbook_about_sheet(s, r);
 	free(r->text);
 	r->text = book_finish_to_bytes(r->book, &r->n, error);
 	r->book = NULL;
@@ -410,10 +414,10 @@ redirect_close(
 	/* Unless the command itself has set the format. */
 	if (s->set.format == r->form)
 		s->set.format = r->before;
-	session_set_translation(s);
+	session_set_translation_by_format(s);
 	bool whole = fclose(r->memory) == 0, ok = true;
 	if (keep && r->book != NULL)
-		keep = ok = replace_text_by_workbook(s, r, error);
+		keep = ok = replace_printed_text_by_workbook(s, r, error);
 	else if (keep && r->document != NULL)
 		keep = ok = replace_text_by_document(r, error);
 	else if (r->to != TO_PIPE && r->form == ANSWER_CSV &&
@@ -424,7 +428,7 @@ redirect_close(
 		    "the results for %s do not fit into memory", r->target);
 	else if (keep)
 		ok = r->to == TO_PIPE ? write_to_shell_command(r, error)
-				      : write_output_file(s, r, error);
+				      : write_redirected_output(s, r, error);
 	s->rows = r->rows;
 	free(r->text);
 	book_free(r->book);

@@ -69,7 +69,7 @@ script_open(struct session *s, const char *path, struct error *error)
 		    "expected scripts nested at most %d deep\n"
 		    "does %s source itself?",
 		    (int)DEEPEST, path);
-	files_note_read(s, path);
+	files_record_read(s, path);
 	const char *why;
 	FILE *in = textfile_open(path, &why);
 	if (in == NULL) {
@@ -135,7 +135,7 @@ check_script_is_text(const struct script *script, const char *piece, size_t n,
 {
 	if (text_is_utf8(piece, n))
 		return true;
-	return error_at(error, ERROR_USAGE, script->name, script->number, 1,
+	return error_set_at(error, ERROR_USAGE, script->name, script->number, 1,
 	    "expected UTF-8 text, got a binary file\n"
 	    "is it a site file or a program? a script has one command a line");
 }
@@ -143,7 +143,7 @@ check_script_is_text(const struct script *script, const char *piece, size_t n,
 bool
 script_set_error_long_line(const char *name, int line, struct error *error)
 {
-	return error_at(error, ERROR_USAGE, name, line, 1,
+	return error_set_at(error, ERROR_USAGE, name, line, 1,
 	    "expected lines of at most 10 MB, got a longer one\n"
 	    "is it a site file or a program? a script has one command a line");
 }
@@ -178,7 +178,7 @@ read_continued_line(struct script *script, int *first, struct error *error)
 		good = script_set_error_long_line(
 		    script->name, script->number + !script->one_number, error);
 	else if (good && more && ferror(script->in))
-		good = error_at(error, ERROR_SYSTEM, script->name, 0, 0,
+		good = error_set_at(error, ERROR_SYSTEM, script->name, 0, 0,
 		    "cannot be read: %s", strerror(errno));
 	if (good && any)
 		return line;
@@ -213,7 +213,7 @@ script_other_folder(const struct session *s, const char *file)
 }
 
 struct script_place
-script_position(const struct session *s)
+script_command_position(const struct session *s)
 {
 	return s->script != NULL ? s->script->at : (struct script_place){0};
 }

@@ -35,7 +35,7 @@ char *script_other_folder(const struct session *s, const char *file);
 struct script_place {
 	size_t at, of;
 };
-struct script_place script_position(const struct session *s);
+struct script_place script_command_position(const struct session *s);
 
 /* Closes the innermost scripts until `depth` remain. */
 void script_close_to_depth(struct session *s, size_t depth);

@@ -18,7 +18,7 @@
 #include "io/sitefile/units.h"
 
 struct entry *
-session_current_entry(struct session *s)
+session_current_site_entry(struct session *s)
 {
 	assert(s->current < s->n_entry);
 	return &s->entry[s->current];
@@ -34,7 +34,7 @@ session_report_file_faults(const struct session *s, const char *path,
 		error_print(&errors->item[i], s->notes);
 	*error = errors->item[errors->n - 1];
 	if (errors->more > 0)
-		session_note(
+		session_print_note(
 		    s, "%s: %zu more faults are not shown", path, errors->more);
 	return false;
 }
@@ -61,7 +61,7 @@ print_answer_for_programs(struct session *s, const struct answer_form *form,
 
 /* Removes answer i of those kept. */
 static void
-forget_answer_at(struct session *s, size_t i)
+remove_answer_at(struct session *s, size_t i)
 {
 	answer_free(s->answer[i]);
 	memmove(&s->answer[i], &s->answer[i + 1],
@@ -69,48 +69,48 @@ forget_answer_at(struct session *s, size_t i)
 }
 
 void
-session_forget_answers(struct session *s)
+session_remove_answers(struct session *s)
 {
 	while (s->n_answer > 0)
-		forget_answer_at(s, s->n_answer - 1);
+		remove_answer_at(s, s->n_answer - 1);
 }
 
 void
-session_keep_newest_answer(struct session *s, struct answer *answer)
+session_store_newest_answer(struct session *s, struct answer *answer)
 {
-	const char *command = answer_command(answer);
-	if (!answer_has_fields(answer)) {
+	const char *command = answer_command_name(answer);
+	if (!answer_has_json_fields(answer)) {
 		answer_free(answer);
 		return;
 	}
 	for (size_t i = s->n_answer; i-- > 0;)
-		if (strcmp(answer_command(s->answer[i]), command) == 0)
-			forget_answer_at(s, i);
+		if (strcmp(answer_command_name(s->answer[i]), command) == 0)
+			remove_answer_at(s, i);
 	s->answer = xrealloc(s->answer, s->n_answer + 1, sizeof *s->answer);
 	s->answer[s->n_answer++] = answer;
 }
 
 double
-session_answer_number(
+session_number_in_last_answer(
     const struct session *s, const char *commands, const char *path)
 {
 	size_t which;
 	double value = NAN;
 	for (size_t i = s->n_answer; i-- > 0 && isnan(value);)
 		if (text_find_word_in_list(
-			commands, answer_command(s->answer[i]), &which))
-			value = answer_find_number(s->answer[i], path);
+			commands, answer_command_name(s->answer[i]), &which))
+			value = answer_find_json_number(s->answer[i], path);
 	return value;
 }
 
 const char *
-session_answer_text(
+session_text_in_last_answer(
     const struct session *s, const char *command, const char *path)
 {
 	const char *text = NULL;
 	for (size_t i = s->n_answer; i-- > 0 && text == NULL;)
-		if (strcmp(answer_command(s->answer[i]), command) == 0)
-			text = answer_find_text(s->answer[i], path);
+		if (strcmp(answer_command_name(s->answer[i]), command) == 0)
+			text = answer_find_json_text(s->answer[i], path);
 	return text;
 }
 
@@ -121,7 +121,7 @@ session_show_answer(struct session *s, struct answer *answer)
 	if (s->hooks.clear_progress != NULL)
 		s->hooks.clear_progress();
 	if (s->book != NULL)
-		s->rows += book_add_answer(s->book, answer);
+		s->rows += book_add_answer_worksheet(s->book, answer);
 	else if (s->document != NULL)
 		s->rows += document_add_answer(s->document, answer);
 	else
@@ -129,18 +129,18 @@ session_show_answer(struct session *s, struct answer *answer)
 			       ? print_answer_for_programs(s, form, answer)
 			       : form->print(answer, s->set.semicolon, s->out);
 	fflush(s->out);
-	session_keep_newest_answer(s, answer);
+	session_store_newest_answer(s, answer);
 	return true;
 }
 
 void
-session_set_translation(const struct session *s)
+session_set_translation_by_format(const struct session *s)
 {
 	tr_set_enabled(!ANSWER_FORMATS[s->set.format].exact);
 }
 
 void
-session_note(const struct session *s, const char *format, ...)
+session_print_note(const struct session *s, const char *format, ...)
 {
 	if (s->notes == NULL)
 		return;
@@ -173,7 +173,7 @@ session_require_site(
 }
 
 double
-session_clock(void)
+session_clock_seconds(void)
 {
 	struct timespec t;
 	clock_gettime(CLOCK_MONOTONIC, &t);
@@ -183,9 +183,10 @@ session_clock(void)
 char *
 session_site_label(const struct site *site)
 {
-	FREED char *size = site->top_size > 0 ? xasprintf(tr(", %g mm"),
-						    units_mm(site->top_size))
-					      : xstrdup("");
+	FREED char *size =
+	    site->top_size > 0
+		? xasprintf(tr(", %g mm"), units_m_to_mm(site->top_size))
+		: xstrdup("");
 	bool rock = site->rock[0] != '\0', with = site->with[0] != '\0';
 	FREED char *label = xasprintf(
 	    "%s%s%s%s", site->name, rock ? ", " : "", site->rock, size);
@@ -208,7 +209,7 @@ session_entry_being_fitted(const struct session *s)
 }
 
 char *
-session_run_speeds_text(
+session_speeds_of_runs_text(
     const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *list = xstrdup("");
@@ -228,7 +229,7 @@ session_run_speeds_text(
 }
 
 char *
-session_run_rpm_text(
+session_rpm_of_runs_text(
     const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *rpm = xstrdup("");
@@ -243,9 +244,9 @@ session_run_rpm_text(
 }
 
 char *
-session_run_rpm_in_brackets(
+session_rpm_of_runs_in_brackets(
     const struct site *site, const bool *mark, bool marked)
 {
-	FREED char *rpm = session_run_rpm_text(site, ", ", mark, marked);
+	FREED char *rpm = session_rpm_of_runs_text(site, ", ", mark, marked);
 	return rpm[0] != '\0' ? xasprintf(tr(" (%s rpm)"), rpm) : xstrdup("");
 }

@@ -131,7 +131,7 @@ struct session {
 	size_t rows;               /* rows written to the current target */
 	size_t n_answer;
 	struct answer *
-	    *answer; /* newest last, see session_keep_newest_answer */
+	    *answer; /* newest last, see session_store_newest_answer */
 	struct job job;
 	struct hooks hooks;  /* functions of the driver */
 	struct files *files; /* those read and written, see files.h; or NULL */
@@ -143,7 +143,7 @@ struct session {
 	const struct spec *spec; /* chosen envelope, or NULL */
 	size_t n_spec;
 	struct spec **specs;          /* all so far */
-	struct last_asked last_asked; /* see session_keep_last_asked */
+	struct last_asked last_asked; /* see session_set_last_question */
 	struct moved *moved;          /* see moved.h */
 	/* The feed from the sheets in `set feed`, or NULL. */
 	struct blended *fed;
@@ -169,7 +169,7 @@ struct session {
 };
 
 /* Returns the current site; there must be one. */
-struct entry *session_current_entry(struct session *s);
+struct entry *session_current_site_entry(struct session *s);
 
 /* Returns false if no site is loaded; the error says what to do next.  what:
  * the command that needs one. */
@@ -178,7 +178,7 @@ bool session_require_site(
 
 /* Discards the answers that were kept, because the site or its parameters have
  * changed. */
-void session_forget_answers(struct session *s);
+void session_remove_answers(struct session *s);
 
 /* Prints the faults of a file to notes, in order, except for the last, which
  * becomes the error.  If reading was interrupted, says only that.  Returns
@@ -192,25 +192,25 @@ bool session_show_answer(struct session *s, struct answer *answer);
 
 /* Takes ownership of an answer and keeps it as the newest of its command.  One
  * without fields is freed, because nothing could be read from it. */
-void session_keep_newest_answer(struct session *s, struct answer *answer);
+void session_store_newest_answer(struct session *s, struct answer *answer);
 
-/* Returns the number in a field (see answer_find_number) of the newest answer
- * that has this field and is from one of the commands, which are separated by
- * spaces; NAN if there is none. */
-double session_answer_number(
+/* Returns the number in a field (see answer_find_json_number) of the newest
+ * answer that has this field and is from one of the commands, which are
+ * separated by spaces; NAN if there is none. */
+double session_number_in_last_answer(
     const struct session *s, const char *commands, const char *path);
 
 /* Returns the text in a field of the newest answer of a command that has it,
  * borrowed, or NULL. */
-const char *session_answer_text(
+const char *session_text_in_last_answer(
     const struct session *s, const char *command, const char *path);
 
 /* Switches translation on, or off if results are for programs.  Call it after
  * each change of the results' format. */
-void session_set_translation(const struct session *s);
+void session_set_translation_by_format(const struct session *s);
 
 /* Prints a line to notes. */
-void session_note(const struct session *s, const char *format, ...)
+void session_print_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* True if a job is in progress and not paused. */
@@ -221,7 +221,7 @@ bool session_is_calibrating(const struct session *s);
 const struct entry *session_entry_being_fitted(const struct session *s);
 
 /* Returns the time of a monotonic clock, s. */
-double session_clock(void);
+double session_clock_seconds(void);
 
 /* Returns the label of a site for people: "Tierp, Granite, 11.2 mm".  The
  * caller frees it. */
@@ -230,15 +230,15 @@ char *session_site_label(const struct site *site);
 /* Returns "69, 79 (2 runs)": the speeds of the runs that have a product and
  * whose mark [n_run] equals `marked`; of all that have one if mark is NULL.
  * between: the separator.  The caller frees it. */
-char *session_run_speeds_text(const struct site *site, const char *between,
+char *session_speeds_of_runs_text(const struct site *site, const char *between,
     const bool *mark, bool marked);
 
 /* Return these speeds in rpm: "1569, 1796" or, to follow m/s in a sentence, "
  * (1569, 1796 rpm)"; "" unless the site states its rotor.  The caller frees
  * them. */
-char *session_run_rpm_text(const struct site *site, const char *between,
+char *session_rpm_of_runs_text(const struct site *site, const char *between,
     const bool *mark, bool marked);
-char *session_run_rpm_in_brackets(
+char *session_rpm_of_runs_in_brackets(
     const struct site *site, const bool *mark, bool marked);
 
 #endif

@@ -32,9 +32,9 @@ is_site_key_taken(const struct session *s, uint64_t name, const char *key)
 }
 
 static char *
-key_with_top_size(const char *slug, const struct site *site)
+site_key_with_top_size(const char *slug, const struct site *site)
 {
-	return xasprintf("%s/%g", slug, units_mm(site->top_size));
+	return xasprintf("%s/%g", slug, units_m_to_mm(site->top_size));
 }
 
 /* Returns a name in the form that keys have.  The caller frees it. */
@@ -52,7 +52,7 @@ name_slug(const char *name)
  * the name; and with a number, "gavle/11.2/2", if one of them also has the
  * size.  The caller frees it. */
 static char *
-new_key_of_site(struct session *s, const struct site *site)
+make_unique_site_key(struct session *s, const struct site *site)
 {
 	char *slug = name_slug(site->name), *key = xstrdup(slug);
 	bool shared = false;
@@ -69,12 +69,12 @@ new_key_of_site(struct session *s, const struct site *site)
 		if (strcmp(other->key, slug) == 0 &&
 		    other->site->top_size > 0) {
 			free(other->key);
-			other->key = key_with_top_size(slug, other->site);
+			other->key = site_key_with_top_size(slug, other->site);
 		}
 	}
 	if (shared && site->top_size > 0) {
 		free(key);
-		key = key_with_top_size(slug, site);
+		key = site_key_with_top_size(slug, site);
 	}
 	FREED char *stem = xstrdup(key);
 	for (int i = 2; is_site_key_taken(s, name, key); i++) {
@@ -86,11 +86,11 @@ new_key_of_site(struct session *s, const struct site *site)
 }
 
 void
-session_adopt_unloaded_site(struct session *s, struct site *site)
+session_take_ownership_of_site(struct session *s, struct site *site)
 {
 	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
 	s->site[s->n_site++] = site;
-	session_forget_answers(s);
+	session_remove_answers(s);
 }
 
 static uint64_t
@@ -114,11 +114,11 @@ lookup_keys_of_site(const struct site *site)
 }
 
 static void
-insert_site_entry(struct session *s, struct site *site, size_t place)
+insert_site_into_session(struct session *s, struct site *site, size_t place)
 {
 	struct entry entry = {.lookup = lookup_keys_of_site(site),
 	    .site = site,
-	    .key = new_key_of_site(s, site)};
+	    .key = make_unique_site_key(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
 	misfit_mark_default_training(site, entry.train);
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
@@ -129,7 +129,7 @@ insert_site_entry(struct session *s, struct site *site, size_t place)
 		s->job.entry++;
 	s->current = place;
 	s->last_asked = (struct last_asked){0};
-	session_adopt_unloaded_site(s, site);
+	session_take_ownership_of_site(s, site);
 }
 
 /* True if two sites of a file are of different sheets or ranges of it.  One
@@ -146,7 +146,7 @@ is_other_part(const struct site *a, const struct site *b)
  * first: if there are many sites, stat on each would take longer than reading
  * the files. */
 static size_t
-find_site_of_file(const struct session *s, const struct site *site)
+find_site_of_same_file(const struct session *s, const struct site *site)
 {
 	struct stat file, other;
 	if (stat(site->path, &file) != 0)
@@ -166,17 +166,17 @@ find_site_of_file(const struct session *s, const struct site *site)
 void
 session_add_site(struct session *s, struct site *site)
 {
-	size_t place = find_site_of_file(s, site);
+	size_t place = find_site_of_same_file(s, site);
 	if (place < s->n_entry) {
-		session_note(
+		session_print_note(
 		    s, "replaced %s, loaded earlier", s->entry[place].key);
-		session_drop_site(s, place);
+		session_remove_site(s, place);
 	}
-	insert_site_entry(s, site, place);
+	insert_site_into_session(s, site, place);
 }
 
 void
-session_drop_site(struct session *s, size_t index)
+session_remove_site(struct session *s, size_t index)
 {
 	if (s->job.type != NULL && s->job.entry == index)
 		session_discard_paused_job(s);
@@ -187,14 +187,15 @@ session_drop_site(struct session *s, size_t index)
 	memmove(&s->entry[index], &s->entry[index + 1],
 	    (s->n_entry - index) * sizeof *s->entry);
 	if (s->current == index)
-		session_forget_answers(s);
+		session_remove_answers(s);
 	bool last = s->current == index && index == s->n_entry;
 	if (s->current > index || (last && index > 0))
 		s->current--;
 }
 
 bool
-session_replace_by_mended(struct session *s, size_t index, struct site *site)
+session_replace_site_by_mended(
+    struct session *s, size_t index, struct site *site)
 {
 	struct entry *entry = &s->entry[index];
 	bool own =
@@ -219,17 +220,17 @@ session_replace_by_mended(struct session *s, size_t index, struct site *site)
 		entry->has_params = false;
 		entry->params = (struct params){.breakage = 0};
 	}
-	session_adopt_unloaded_site(s, site);
+	session_take_ownership_of_site(s, site);
 	return own;
 }
 
 /* Runs that a fit was trained on remain training runs.  Without a fit, the
  * training runs are chosen anew. */
 void
-session_replace_by_extended(
+session_replace_site_by_extended(
     struct session *s, struct site *site, const size_t *from)
 {
-	struct entry *entry = session_current_entry(s);
+	struct entry *entry = session_current_site_entry(s);
 	if (s->job.type != NULL && s->job.entry == s->current)
 		session_discard_paused_job(s);
 	bool *train = xcalloc(site->n_run, sizeof *train);
@@ -241,7 +242,7 @@ session_replace_by_extended(
 	free(entry->train);
 	entry->train = train;
 	entry->site = site;
-	session_adopt_unloaded_site(s, site);
+	session_take_ownership_of_site(s, site);
 }
 
 /* As name_slug, with '-' for '_': the name as typed from memory.  The caller
@@ -262,7 +263,7 @@ site_name_match_grade(const struct entry *entry, const char *wanted)
 {
 	FREED char *name = name_slug(entry->site->name);
 	FREED char *sized =
-	    xasprintf("%s/%g", name, units_mm(entry->site->top_size));
+	    xasprintf("%s/%g", name, units_m_to_mm(entry->site->top_size));
 	FREED char *folded = text_fold_case_and_accents(wanted),
 		   *slug = slug_of_typed_name(wanted);
 	FREED char *loose = slug_of_typed_name(entry->site->name);
@@ -318,7 +319,7 @@ session_find_site(
 }
 
 bool
-session_add_if_digest_matches(struct session *s, struct site *site,
+session_add_site_if_same_digest(struct session *s, struct site *site,
     const char *digest, struct error *error)
 {
 	char found[17];
@@ -327,7 +328,7 @@ session_add_if_digest_matches(struct session *s, struct site *site,
 		session_add_site(s, site);
 		return true;
 	}
-	error_at(error, ERROR_DATA, site->path, 0, 0,
+	error_set_at(error, ERROR_DATA, site->path, 0, 0,
 	    "expected a site file with digest %s, got %s: its numbers have "
 	    "changed\n"
 	    "leave out digest= to load it anyway; results will change",

@@ -10,21 +10,21 @@
 void session_add_site(struct session *s, struct site *site);
 
 /* Takes ownership of a site until the session ends, without loading it. */
-void session_adopt_unloaded_site(struct session *s, struct site *site);
+void session_take_ownership_of_site(struct session *s, struct site *site);
 
 /* Unloads a site, and discards a paused calibration of it. */
-void session_drop_site(struct session *s, size_t index);
+void session_remove_site(struct session *s, size_t index);
 
 /* Replaces a loaded site by its mended version, of which it takes ownership.
  * Returns true if parameters found by calibrating the former version were
  * discarded; other parameters are kept. */
-bool session_replace_by_mended(
+bool session_replace_site_by_mended(
     struct session *s, size_t index, struct site *site);
 
 /* Replaces the current site by one with more runs, of which it takes ownership.
  * The parameters and the fit are kept, although they were found on fewer data;
  * the new runs are held out.  from [n_run]: see site_copy_with_cuts. */
-void session_replace_by_extended(
+void session_replace_site_by_extended(
     struct session *s, struct site *site, const size_t *from);
 
 /* Finds a loaded site by its key, by name and top size ("gavle/4"), or by name,
@@ -35,7 +35,7 @@ bool session_find_site(
 
 /* Adds a site, of which it takes ownership.  Returns false with an error unless
  * `digest`, in hexadecimal digits, is that of the site or NULL. */
-bool session_add_if_digest_matches(struct session *s, struct site *site,
+bool session_add_site_if_same_digest(struct session *s, struct site *site,
     const char *digest, struct error *error);
 
 #endif

@@ -26,7 +26,7 @@ struct snapshot {
 };
 
 static struct entry *
-copy_entries(const struct entry *from, size_t n)
+copy_site_entries(const struct entry *from, size_t n)
 {
 	struct entry *to = xcalloc(n + 1, sizeof *to);
 	for (size_t i = 0; i < n; i++)
@@ -35,13 +35,13 @@ copy_entries(const struct entry *from, size_t n)
 }
 
 struct snapshot *
-snapshot_take(const struct session *s)
+snapshot_take_session(const struct session *s)
 {
 	struct snapshot *snapshot = xcalloc(1, sizeof *snapshot);
 	*snapshot = (struct snapshot){.mark = journal_current_place(s),
 	    .n_entry = s->n_entry,
 	    .current = s->current,
-	    .entry = copy_entries(s->entry, s->n_entry),
+	    .entry = copy_site_entries(s->entry, s->n_entry),
 	    .log = s->log,
 	    .spec = s->spec,
 	    .pin = s->pin,
@@ -65,7 +65,7 @@ static void
 restore_snapshot(struct session *s, const struct snapshot *snapshot)
 {
 	entries_free(s->entry, s->n_entry);
-	s->entry = copy_entries(snapshot->entry, snapshot->n_entry);
+	s->entry = copy_site_entries(snapshot->entry, snapshot->n_entry);
 	s->n_entry = snapshot->n_entry;
 	s->current = snapshot->current;
 	s->log = snapshot->log;
@@ -74,7 +74,7 @@ restore_snapshot(struct session *s, const struct snapshot *snapshot)
 	s->energy = snapshot->energy;
 	s->set = snapshot->set;
 	s->last_asked = snapshot->asked;
-	session_forget_answers(s);
+	session_remove_answers(s);
 }
 
 bool
@@ -88,7 +88,7 @@ fits_are_equal(const struct fit *a, const struct fit *b)
 }
 
 bool
-entries_are_equal(const struct entry *a, const struct entry *b)
+session_entries_are_equal(const struct entry *a, const struct entry *b)
 {
 	return a->site == b->site && strcmp(a->key, b->key) == 0 &&
 	       memcmp(a->train, b->train, a->site->n_run * sizeof *a->train) ==
@@ -109,7 +109,8 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 	    !settings_are_equal(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (!entries_are_equal(&snapshot->entry[i], &s->entry[i]))
+		if (!session_entries_are_equal(
+			&snapshot->entry[i], &s->entry[i]))
 			return true;
 	return false;
 }
@@ -187,7 +188,7 @@ undo_last_step(struct session *s)
 	if (undo_count_steps(s) == 0)
 		return NULL;
 	struct step *step = &s->undo->step[--s->undo->done];
-	step->after = snapshot_take(s);
+	step->after = snapshot_take_session(s);
 	step->tail = journal_remove_lines_after(s, step->before->mark);
 	restore_snapshot(s, step->before);
 	return step->label;
@@ -200,7 +201,7 @@ undo_redo_step(struct session *s)
 		return NULL;
 	struct step *step = &s->undo->step[s->undo->done++];
 	step->before->mark = journal_current_place(s);
-	journal_put_back_lines(s, &step->tail);
+	journal_restore_lines(s, &step->tail);
 	restore_snapshot(s, step->after);
 	snapshot_free(step->after);
 	step->after = NULL;

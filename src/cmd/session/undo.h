@@ -13,14 +13,14 @@
  * moment. */
 struct snapshot;
 
-struct snapshot *snapshot_take(const struct session *s);
+struct snapshot *snapshot_take_session(const struct session *s);
 void snapshot_free(struct snapshot *snapshot);
 
 /* True if the session differs from the snapshot. */
 bool snapshot_differs(const struct snapshot *snapshot, const struct session *s);
 
 /* True if both entries have the same site, parameters and fit. */
-bool entries_are_equal(const struct entry *a, const struct entry *b);
+bool session_entries_are_equal(const struct entry *a, const struct entry *b);
 
 /* True if both fits are the same result of the same search. */
 bool fits_are_equal(const struct fit *a, const struct fit *b);

@@ -60,7 +60,7 @@ struct date_reading {
 /* Returns a moment as "2026-05-03" or "2026-05-03 10:15", or NULL if its date
  * is ambiguous and the order open.  The caller frees it. */
 static char *
-cut_moment_text(const struct datetime *m, enum datetime_order order)
+cut_date_and_time_text(const struct datetime *m, enum datetime_order order)
 {
 	double time = datetime_seconds_since_1970(m, order);
 	if (isnan(time))
@@ -74,9 +74,9 @@ cut_moment_text(const struct datetime *m, enum datetime_order order)
 /* Returns the order that gives no date in the future, if the other order gives
  * one; otherwise DATETIME_OPEN. */
 static enum datetime_order
-date_order_by_today(const struct site *cuts)
+date_order_without_future(const struct site *cuts)
 {
-	FREED char *today = datetime_today();
+	FREED char *today = datetime_today_text();
 	struct datetime m, now;
 	bool after[2] = {false, false};
 	datetime_parse(today, &now);
@@ -99,7 +99,7 @@ date_order_by_today(const struct site *cuts)
  * their other dates, else from the dates of the site to which they are added,
  * else from today's date, after which no cut was taken. */
 static struct date_reading
-find_cut_date_order(
+find_day_month_order_of_cuts(
     const struct args *args, const struct site *cuts, const struct site *site)
 {
 	if (args_is_given(args, &args->dates))
@@ -115,7 +115,7 @@ find_cut_date_order(
 	if (order != DATETIME_OPEN)
 		return (struct date_reading){
 		    order, tr("as the dates of earlier cuts show"), false};
-	order = date_order_by_today(cuts);
+	order = date_order_without_future(cuts);
 	return (struct date_reading){order,
 	    order != DATETIME_OPEN ? tr("as the other reading is in the future")
 				   : NULL,
@@ -124,9 +124,9 @@ find_cut_date_order(
 
 /* Returns the moment as one word of the command: "2026-11-05T10:15". */
 static char *
-datetime_as_word(const struct datetime *m, enum datetime_order order)
+iso_datetime_text(const struct datetime *m, enum datetime_order order)
 {
-	char *text = cut_moment_text(m, order);
+	char *text = cut_date_and_time_text(m, order);
 	for (char *p = text; p != NULL && *p != '\0'; p++)
 		if (*p == ' ')
 			*p = 'T';
@@ -139,8 +139,8 @@ static bool
 check_date_unambiguous(const struct datetime *m, const char *text,
     const char *before, enum datetime_order order, struct error *error)
 {
-	FREED char *day = datetime_as_word(m, DATETIME_DAY_FIRST);
-	FREED char *month = datetime_as_word(m, DATETIME_MONTH_FIRST);
+	FREED char *day = iso_datetime_text(m, DATETIME_DAY_FIRST);
+	FREED char *month = iso_datetime_text(m, DATETIME_MONTH_FIRST);
 	return !isnan(datetime_seconds_since_1970(m, order)) ||
 	       error_set(error, ERROR_USAGE,
 		   "expected a date that can be read in one way, got '%s'\n"
@@ -211,7 +211,7 @@ find_at_sign_of_speed(const char *word)
  * "cut.csv@2026-05-03T10:15", is looked up in the log and replaced with the
  * speed then: "cut.csv@64.2". */
 static bool
-look_up_cut_time_in_log(struct session *s, const struct args *args,
+look_up_cut_speed_in_log(struct session *s, const struct args *args,
     const char *word, double day, double rotor, struct cut_source *o,
     struct error *error)
 {
@@ -229,13 +229,14 @@ look_up_cut_time_in_log(struct session *s, const struct args *args,
 		return true;
 	double window = 60 * args->window;
 	if (!parse_cut_time(at + 1,
-		cut_day_month_order(session_current_entry(s)->site), day, &time,
-		error) ||
-	    !log_find_speed_at(s, time, window / 2, rotor, &o->logged, error))
+		cut_day_month_order(session_current_site_entry(s)->site), day,
+		&time, error) ||
+	    !log_find_speed_at_time(
+		s, time, window / 2, rotor, &o->logged, error))
 		return false;
-	xreplace(
+	xfree_and_set(
 	    &o->word, xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed));
-	xreplace(&o->when, datetime_to_text(time));
+	xfree_and_set(&o->when, datetime_to_text(time));
 	return true;
 }
 
@@ -264,7 +265,7 @@ site_note_with_iso_date(const struct site_note *note, enum datetime_order order)
 	struct datetime m;
 	if (!cut_parse_date(note, &m) || m.plain || m.order != DATETIME_OPEN)
 		return xstrdup(note->value);
-	FREED char *day = cut_moment_text(&m, order);
+	FREED char *day = cut_date_and_time_text(&m, order);
 	const char *at = strstr(note->value, ", ") + strlen(", ");
 	return day == NULL ? xstrdup(note->value)
 			   : xasprintf("%.*s%s%s", (int)(at - note->value),
@@ -290,7 +291,7 @@ cut_note_of_run(const struct site *cuts, size_t run, const struct cut_source *o,
  * day of the cuts because it is ambiguous, takes it as the day of the only
  * file. */
 static void
-use_date_of_header(
+set_cut_day_from_header(
     const struct site *cuts, enum datetime_order order, struct origins *all)
 {
 	struct datetime m, said;
@@ -305,9 +306,9 @@ use_date_of_header(
 	}
 	if (all->n != 1 || all->file[0].when[0] != '\0' || n != 1)
 		return;
-	char *day = cut_moment_text(&said, order);
+	char *day = cut_date_and_time_text(&said, order);
 	if (day != NULL)
-		xreplace(&all->file[0].when, day);
+		xfree_and_set(&all->file[0].when, day);
 }
 
 /* Says how the first ambiguous date was read, or that it was not read. */
@@ -322,30 +323,30 @@ note_ambiguous_date(struct session *s, const struct site *cuts,
 		i++;
 	if (i == cuts->n_note)
 		return;
-	FREED char *day = cut_moment_text(&m, DATETIME_DAY_FIRST);
-	FREED char *month = cut_moment_text(&m, DATETIME_MONTH_FIRST);
+	FREED char *day = cut_date_and_time_text(&m, DATETIME_DAY_FIRST);
+	FREED char *month = cut_date_and_time_text(&m, DATETIME_MONTH_FIRST);
 	FREED char *said = xasprintf("%02d/%02d/%d", m.day, m.month, m.year);
 	bool one = cuts->n_run == 1 && all->n == 1;
 	bool day_first = how->order == DATETIME_DAY_FIRST;
 	if (how->order == DATETIME_OPEN && one)
-		session_note(s,
+		session_print_note(s,
 		    "  warning: the date %s can be %s or %s, so the cut has "
 		    "none: 'undo', then add it with date=%s",
 		    said, day, month, day);
 	else if (how->order == DATETIME_OPEN)
-		session_note(s,
+		session_print_note(s,
 		    "  warning: the date %s can be %s or %s, so the cut has "
 		    "none: 'undo', then add the cuts with dates=day-first or "
 		    "dates=month-first",
 		    said, day, month);
 	else
-		session_note(s, "  the date %s is read as %s, %s", said,
+		session_print_note(s, "  the date %s is read as %s, %s", said,
 		    day_first ? day : month, how->why);
 	if (how->now && one)
-		invocation_journal_options(
+		invocation_add_journal_options(
 		    s, " date=%s", day_first ? day : month);
 	else if (how->now)
-		invocation_journal_options(
+		invocation_add_journal_options(
 		    s, " dates=%s-first", day_first ? "day" : "month");
 }
 
@@ -381,7 +382,7 @@ warn_of_duplicate_cuts(
 				    memcmp(p->passing, cut->product.passing,
 					p->n * sizeof *p->passing) == 0;
 			if (same)
-				session_note(s,
+				session_print_note(s,
 				    "  warning: these numbers are identical to "
 				    "the product at %g m/s%s%s: was the cut "
 				    "added before?",
@@ -397,7 +398,7 @@ warn_of_duplicate_cuts(
 				    apart, fabs(is - cut->feed.passing[i]));
 		}
 		if (apart > 0)
-			session_note(s,
+			session_print_note(s,
 			    "  the cut at %g m/s%s has a feed of its own, up "
 			    "to %.1f points from that of the site: it is used "
 			    "for this cut",
@@ -415,7 +416,7 @@ note_feed_of_cuts(
 	for (size_t k = 0; k < cuts->n_run; k++)
 		lacking = lacking || cuts->run[k].feed.n == 0;
 	if (lacking && words != NULL)
-		session_note(s, "  feed: %s", words);
+		session_print_note(s, "  feed: %s", words);
 }
 
 /* How well the prediction matches the new cuts, from best to worst. */
@@ -424,7 +425,7 @@ enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
 /* Returns the passing of predict's first sentence at the speed of a cut or, if
  * the cut was not sieved so fine, a passing that its sieves reach. */
 static struct quantity
-passing_that_predict_says(
+choose_passing_to_check_cut(
     const struct session *s, const struct entry *entry, size_t run)
 {
 	const struct run *cut = &entry->site->run[run];
@@ -443,10 +444,10 @@ measured_vs_predicted_text(
     const struct session *s, const struct entry *entry, size_t run)
 {
 	const struct run *cut = &entry->site->run[run];
-	const struct quantity of = passing_that_predict_says(s, entry, run);
+	const struct quantity of = choose_passing_to_check_cut(s, entry, run);
 	const struct question q = question_of_whole_product(s, entry, run);
 	struct forecast *f = forecast_open(s, &q, &of, 1);
-	forecast_set_speed_and_draws(f, cut->speed, ENSEMBLE_SAMPLE);
+	forecast_set_speed_and_ensemble(f, cut->speed, ENSEMBLE_SAMPLE);
 	struct figure at = forecast_value_in_shown_unit(f, 0);
 	FREED char *measured = quantities_sentence_with_value(
 	    &of, psd_passing(&cut->product, of.x));
@@ -462,9 +463,9 @@ measured_vs_predicted_text(
 }
 
 static enum verdict
-compare_cut_and_note(struct session *s, size_t run)
+compare_cut_to_prediction(struct session *s, size_t run)
 {
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	const struct site *site = entry->site;
 	if (!entry->has_params ||
 	    misfit_count_covered_sieves(&site->run[run]) == 0)
@@ -474,8 +475,9 @@ compare_cut_and_note(struct session *s, size_t run)
 	FREED char *words = cut_comparison_text(&cut);
 	double from, to;
 	if (answers_is_speed_extrapolated(entry, site->run[run].speed) &&
-	    origin_known_speed_range(entry, &from, &to)) {
-		FREED char *reach = answers_known_speeds_text(entry, from, to);
+	    origin_training_speed_range(entry, &from, &to)) {
+		FREED char *reach =
+		    answers_training_range_text(entry, from, to);
 		xappend_to_list(&words, "; ",
 		    tr("it lies outside the %s, where the answer rests on the "
 		       "model"),
@@ -484,7 +486,7 @@ compare_cut_and_note(struct session *s, size_t run)
 	/* Fewer passings are in the band than chance and shared errors make
 	 * likely. */
 	bool nearly = !cut.no_band && 4 * cut.inside < 3 * cut.n;
-	session_note(s,
+	session_print_note(s,
 	    cut.off      ? N_("  not quite as expected: %s; %s")
 	    : cut.missed ? N_("  warning: not as expected: %s; %s")
 	    : nearly     ? N_("  nearly as expected: %s; %s")
@@ -497,11 +499,11 @@ compare_cut_and_note(struct session *s, size_t run)
  * are many, how many are missed.  from: see site_copy_with_cuts.  Returns the
  * worst verdict. */
 static enum verdict
-compare_cuts_and_note(
+compare_cuts_to_predictions(
     struct session *s, const struct site *old, const size_t *from, size_t n)
 {
 	enum { FEW = 3 };
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	enum verdict worst = CUTS_UNKNOWN, one;
 	size_t compared = 0, missed = 0;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
@@ -509,7 +511,7 @@ compare_cuts_and_note(
 		    (from[r] != SIZE_MAX && old->run[from[r]].product.n > 0))
 			continue;
 		if (n <= FEW) {
-			one = compare_cut_and_note(s, r);
+			one = compare_cut_to_prediction(s, r);
 			worst = one > worst ? one : worst;
 		} else if (entry->has_params) {
 			compared++;
@@ -520,33 +522,35 @@ compare_cuts_and_note(
 	if (compared == 0)
 		return worst;
 	if (missed > 0)
-		session_note(s,
+		session_print_note(s,
 		    tr_n("  warning: %zu of the %zu cuts is not as expected",
 			"  warning: %zu of the %zu cuts are not as expected",
 			missed),
 		    missed, compared);
 	else
-		session_note(s, "  all %zu cuts are as expected", compared);
+		session_print_note(
+		    s, "  all %zu cuts are as expected", compared);
 	return missed > 0 ? CUTS_MISSED : CUTS_MET;
 }
 
 static void
-note_speeds_of_products(struct session *s)
+print_speeds_of_products(struct session *s)
 {
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	FREED char *speeds =
-	    session_run_speeds_text(entry->site, ", ", NULL, true);
-	FREED char *rpm = session_run_rpm_in_brackets(entry->site, NULL, true);
-	session_note(
+	    session_speeds_of_runs_text(entry->site, ", ", NULL, true);
+	FREED char *rpm =
+	    session_rpm_of_runs_in_brackets(entry->site, NULL, true);
+	session_print_note(
 	    s, "  %s has products at %s m/s%s", entry->key, speeds, rpm);
 }
 
 /* Suggests what to do after n cuts were compared.  For a calibrated site it
- * judges all cuts since its calibration, as next_step does. */
+ * judges all cuts since its calibration, as suggest_next_step does. */
 static void
 suggest_step_after_cuts(struct session *s, enum verdict worst, size_t n)
 {
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	struct later later = cut_compare_runs_since_fit(s, entry);
 	if (later.n > 0) {
 		worst = later.missed ? CUTS_MISSED
@@ -555,11 +559,11 @@ suggest_step_after_cuts(struct session *s, enum verdict worst, size_t n)
 		n = later.n;
 	}
 	if (later.twice) {
-		session_note(
+		session_print_note(
 		    s, "  next: 'undo', unless two samples came out the same");
 		return;
 	}
-	session_note(
+	session_print_note(
 	    s, !entry->has_params ? N_("  next: 'calibrate'")
 	       : worst == CUTS_MISSED && n > 1 && entry->has_fit
 		   ? N_("  next: 'drift' follows the cuts one by one")
@@ -574,7 +578,7 @@ suggest_step_after_cuts(struct session *s, enum verdict worst, size_t n)
 }
 
 static bool
-check_or_add_digest(const struct site *site, const char *digest,
+check_or_journal_digest(const struct site *site, const char *digest,
     struct session *s, struct error *error)
 {
 	FREED char *found = xasprintf("%016" PRIx64, site->digest);
@@ -587,7 +591,7 @@ check_or_add_digest(const struct site *site, const char *digest,
 		    "leave out digest= to add them anyway; results will change",
 		    digest, found);
 	if (good && digest == NULL)
-		invocation_journal_options(s, " digest=%s", found);
+		invocation_add_journal_options(s, " digest=%s", found);
 	return good;
 }
 
@@ -614,14 +618,14 @@ add_cut_notes_to_site(struct session *s, struct site *site,
 		FREED char *note = cut_note_of_run(
 		    cuts, place[k], find_file_of_cut(all, v), order);
 		site_notes_append(&site->note, &site->n_note, "cut", note);
-		session_note(s, "added a cut: %s", note);
+		session_print_note(s, "added a cut: %s", note);
 	}
 }
 
 /* If the provenance begins with the day of the sheet, adds the day of the last
  * cut: "sheet of 2026-11-02, cuts to 2026-11-19". */
 static void
-add_day_to_provenance(struct site *site)
+add_last_cut_day_to_provenance(struct site *site)
 {
 	static const char SHEET[] = "sheet of ", CUTS[] = ", cuts to ";
 	enum { DAY = sizeof "2026-11-19" - 1 };
@@ -643,13 +647,13 @@ add_day_to_provenance(struct site *site)
 	char *cuts = strstr(first, CUTS);
 	if (cuts != NULL)
 		cuts[0] = '\0';
-	xreplace(&site->provenance, xasprintf("%s%s%s%s", first, CUTS, last,
-					site->provenance + clause));
+	xfree_and_set(&site->provenance, xasprintf("%s%s%s%s", first, CUTS,
+					     last, site->provenance + clause));
 }
 
 /* Returns the start of the day that the note of a run states, or NAN. */
 static double
-day_of_run(const struct site *site, size_t run, enum datetime_order order)
+cut_day_of_run(const struct site *site, size_t run, enum datetime_order order)
 {
 	struct datetime m;
 	const struct site_note *note = cut_find_note(site, run);
@@ -661,7 +665,7 @@ day_of_run(const struct site *site, size_t run, enum datetime_order order)
 
 /* Drops a cut and the note about it. */
 static void
-drop_cut(struct site *cuts, size_t run)
+drop_belt_cut(struct site *cuts, size_t run)
 {
 	const struct site_note *note = cut_find_note(cuts, run);
 	site_drop_note(cuts, (size_t)(note - cuts->note));
@@ -675,18 +679,18 @@ drop_known_cuts(struct session *s, const struct site *site, struct site *cuts,
     enum datetime_order order)
 {
 	for (size_t k = 0; k < cuts->n_run; k++) {
-		double day = day_of_run(cuts, k, order);
+		double day = cut_day_of_run(cuts, k, order);
 		size_t r = 0;
 		while (r < site->n_run &&
 		       (!cut_is_duplicate(&site->run[r], &cuts->run[k]) ||
-			   day_of_run(site, r, order) != day))
+			   cut_day_of_run(site, r, order) != day))
 			r++;
 		if (r == site->n_run || isnan(day))
 			continue;
-		session_note(s, "not added, as %s has it: %s",
-		    session_current_entry(s)->key,
+		session_print_note(s, "not added, as %s has it: %s",
+		    session_current_site_entry(s)->key,
 		    cut_find_note(site, r)->value);
-		drop_cut(cuts, k--);
+		drop_belt_cut(cuts, k--);
 	}
 }
 
@@ -694,8 +698,9 @@ static bool
 add_cuts_to_current_site(struct session *s, const struct args *args,
     struct site *cuts, struct origins *all, struct error *error)
 {
-	const struct site *old = session_current_entry(s)->site;
-	const struct date_reading how = find_cut_date_order(args, cuts, old);
+	const struct site *old = session_current_site_entry(s)->site;
+	const struct date_reading how =
+	    find_day_month_order_of_cuts(args, cuts, old);
 	drop_known_cuts(s, old, cuts, how.order);
 	if (cuts->n_run == 0)
 		return true;
@@ -706,25 +711,26 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 		site_notes_append(&site->note, &site->n_note, SITE_ASSUMED_TOP,
 		    text_shortest_exact_number(
 			site_assumed_top_size(cuts), number));
-	if (!check_or_add_digest(site, args->digest, s, error)) {
+	if (!check_or_journal_digest(site, args->digest, s, error)) {
 		site_free(site);
 		return false;
 	}
 	if (!(site->rotor > 0))
 		site->rotor = args->rotor_mm / 1000;
-	use_date_of_header(cuts, how.order, all);
+	set_cut_day_from_header(cuts, how.order, all);
 	add_cut_notes_to_site(s, site, cuts, all, how.order);
-	add_day_to_provenance(site);
+	add_last_cut_day_to_provenance(site);
 	if (args->date == NULL)
 		note_ambiguous_date(s, cuts, &how, all);
-	load_note_how_read(s, cuts);
+	load_print_how_site_was_read(s, cuts);
 	warn_of_duplicate_cuts(s, old, cuts);
 	note_feed_of_cuts(s, site, cuts);
-	session_replace_by_extended(s, site, from);
+	session_replace_site_by_extended(s, site, from);
 	s->entry[s->current].new_cuts += cuts->n_run;
 	check_warn_coarser_product(s, site);
-	note_speeds_of_products(s);
-	enum verdict worst = compare_cuts_and_note(s, old, from, cuts->n_run);
+	print_speeds_of_products(s);
+	enum verdict worst =
+	    compare_cuts_to_predictions(s, old, from, cuts->n_run);
 	suggest_step_after_cuts(s, worst, cuts->n_run);
 	return true;
 }
@@ -732,16 +738,17 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 bool
 cmd_add(struct session *s, const struct args *args, struct error *error)
 {
-	double day, rotor = session_current_entry(s)->site->rotor;
+	double day, rotor = session_current_site_entry(s)->site->rotor;
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
 	FREED const char **word = xcalloc(args->n_operand, sizeof(*word));
 	bool good = parse_cut_date(args->date,
-	    cut_day_month_order(session_current_entry(s)->site), &day, error);
+	    cut_day_month_order(session_current_site_entry(s)->site), &day,
+	    error);
 	if (args->rotor_mm > 0)
 		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
-		good = look_up_cut_time_in_log(s, args, args->operand[i], day,
+		good = look_up_cut_speed_in_log(s, args, args->operand[i], day,
 		    rotor, &all.file[all.n++], error);
 		word[i] = all.file[i].word;
 	}

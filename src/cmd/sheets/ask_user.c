@@ -134,14 +134,14 @@ is_guessed_sieve_column(const struct site_ask_column *c)
 }
 
 static bool
-does_guess_lack_speed(const struct site_ask_column *c)
+does_column_guess_lack_speed(const struct site_ask_column *c)
 {
 	return strstr(c->guess, "@SPEED") != NULL;
 }
 
 /* Returns the guess with another role and speed: "product@69 retained_g". */
 static char *
-guess_with_role(const struct site_ask_column *c, const char *role)
+replace_role_of_guess(const struct site_ask_column *c, const char *role)
 {
 	const char *unit = strchr(c->guess, ' ');
 	return xasprintf("%s%s", role, unit != NULL ? unit : "");
@@ -150,7 +150,7 @@ guess_with_role(const struct site_ask_column *c, const char *role)
 /* Returns the role in the guess.  If the user says that a guessed sieve column
  * is something else, it is a product. */
 static char *
-guessed_role(const struct site_ask_column *c)
+guessed_role_of_column(const struct site_ask_column *c)
 {
 	return is_guessed_sieve_column(c)
 		   ? xstrdup("product")
@@ -175,15 +175,15 @@ parse_speed_answer(const struct site_ask_column *c, const struct head *head,
 		return NULL;
 	}
 	char number[32];
-	FREED char *role = guessed_role(c);
+	FREED char *role = guessed_role_of_column(c);
 	bool feed = strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL;
 	FREED char *said = xasprintf(rpm ? "%s %s rpm" : "%s@%s",
 	    feed ? "product" : role, text_shortest_exact_number(v, number));
-	return guess_with_role(c, said);
+	return replace_role_of_guess(c, said);
 }
 
 static char *
-parse_role_answer(const struct site_ask_column *c, const char *said,
+parse_column_role_answer(const struct site_ask_column *c, const char *said,
     const struct head *head, uint64_t means)
 {
 	uint64_t quantity = WORD_PASSES | WORD_STAYS | WORD_SUMS | WORD_SHARE |
@@ -204,13 +204,13 @@ parse_role_answer(const struct site_ask_column *c, const char *said,
 	if (bare && (means & WORD_PRODUCT) != 0) {
 		FREED char *product = xasprintf("product@%s",
 		    text_shortest_exact_number(head->number[0], number));
-		return guess_with_role(c, product);
+		return replace_role_of_guess(c, product);
 	}
-	return guess_with_role(c, said);
+	return replace_role_of_guess(c, said);
 }
 
 static char *
-parse_sieve_answer(
+parse_sieve_unit_answer(
     const char *said, uint64_t means, char wrong[static WRONG_SIZE])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
@@ -239,25 +239,25 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
 			*p = ' ';
 	struct head head = heading_parse(said);
-	uint64_t means = head.means | lexicon_meanings(said, NULL);
+	uint64_t means = head.means | lexicon_text_meanings(said, NULL);
 	uint64_t known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
 			 WORD_STAYS | WORD_SUMS | WORD_SHARE | WORD_PERCENT |
 			 WORD_GRAMS | WORD_MASS;
 	bool speed = heading_has_speed(&head) || head.n_number > 0;
 	wrong[0] = '\0';
-	if (said[0] == '\0' && does_guess_lack_speed(c))
+	if (said[0] == '\0' && does_column_guess_lack_speed(c))
 		snprintf(wrong, WRONG_SIZE,
 		    tr("expected a tip speed in m/s, got nothing; - leaves it "
 		       "out"));
 	else if (said[0] == '\0')
 		text = xstrdup(c->guess);
 	else if (is_guessed_sieve_column(c))
-		text = parse_sieve_answer(said, means, wrong);
+		text = parse_sieve_unit_answer(said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG_SIZE,
 		    tr("expected words for what it is, got '%.40s'"), said);
 	else if ((means & known) != 0)
-		text = parse_role_answer(c, said, &head, means);
+		text = parse_column_role_answer(c, said, &head, means);
 	else if (speed && head.unknown == 0)
 		text = parse_speed_answer(c, &head, wrong);
 	else if (strcmp(said, "-") != 0)
@@ -277,7 +277,7 @@ ask_about_column(
 {
 	char wrong[WRONG_SIZE] = "";
 	const char *kind = q->ask->across ? tr("line") : tr("column");
-	bool speed = does_guess_lack_speed(c);
+	bool speed = does_column_guess_lack_speed(c);
 	FREED char *question =
 	    speed ? xasprintf(tr("%s %zu '%s': tip speed, m/s"), kind,
 			c->number, c->head)
@@ -323,9 +323,9 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 	    file, ask->across ? tr("lines") : tr("columns"));
 	struct user_question q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
-	xreplace(&said->columns, xstrdup(""));
+	xfree_and_set(&said->columns, xstrdup(""));
 	if (ask->by_sample)
-		xreplace(&said->samples, xstrdup(""));
+		xfree_and_set(&said->samples, xstrdup(""));
 	for (size_t i = 0; i < ask->n && good; i++) {
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;
@@ -392,8 +392,10 @@ static bool
 parse_decimal_mark_answer(
     const char *said, struct user_answers *into, char *wrong)
 {
-	bool comma = strcmp(said, ",") == 0 || text_same_folded(said, "comma");
-	bool point = strcmp(said, ".") == 0 || text_same_folded(said, "point");
+	bool comma =
+	    strcmp(said, ",") == 0 || text_is_same_folded(said, "comma");
+	bool point =
+	    strcmp(said, ".") == 0 || text_is_same_folded(said, "point");
 	into->decimal = comma ? ',' : '.';
 	if (!comma && !point)
 		snprintf(wrong, WRONG_SIZE,
@@ -421,7 +423,7 @@ parse_sheet_or_range_answer(
 	char **slot =
 	    strncmp(settle, "sheet=", 6) == 0 ? &into->sheet : &into->range;
 	const char *from = said[0] != '\0' ? said : strchr(settle, '=') + 1;
-	xreplace(slot, text_without_quotes(from, strlen(from)));
+	xfree_and_set(slot, text_without_quotes(from, strlen(from)));
 	return true;
 }
 
@@ -559,7 +561,7 @@ ask_for_option_value(struct session *s, const struct site_ask *ask,
 /* True if there is a user to ask.  Scripts run at a prompt ask no questions, so
  * that they always do the same. */
 static bool
-can_ask_for_answers(const struct session *s)
+can_ask_user(const struct session *s)
 {
 	return s->hooks.ask != NULL && s->scripts <= s->typed_depth;
 }
@@ -571,8 +573,8 @@ ask_date_order(
 	static char SETTLE[] = "dates=";
 	const struct site_ask ask = {.settle = SETTLE};
 	struct user_answers said = {0};
-	bool good = can_ask_for_answers(s) &&
-		    ask_for_option_value(s, &ask, trouble, &said);
+	bool good =
+	    can_ask_user(s) && ask_for_option_value(s, &ask, trouble, &said);
 	*month_first = said.month_first;
 	return good;
 }
@@ -581,7 +583,7 @@ bool
 ask_open_questions(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct user_answers *said)
 {
-	if (!can_ask_for_answers(s) || ask->settle == NULL)
+	if (!can_ask_user(s) || ask->settle == NULL)
 		return false;
 	return ask->n > 0 && !ask->tables
 		   ? ask_about_columns(s, ask, trouble->file, said)

@@ -42,37 +42,39 @@ static void
 add_blend_rows(struct answer *r, const struct blended *b,
     const struct psd *sieves, const struct prediction *p)
 {
-	answer_columns(r, "sieve_mm: sieve mm");
+	answer_add_columns(r, "sieve_mm: sieve mm");
 	for (size_t i = 0; i < b->n; i++) {
 		FREED char *key = xasprintf("feed_%zu_pct", i + 1);
 		FREED char *head = xasprintf(
 		    "%s %%", file_name_without_folders(b->part[i].file));
-		answer_column(r, key, head);
+		answer_add_column(r, key, head);
 	}
-	answer_columns(r, "feed_pct: blend %%");
+	answer_add_columns(r, "feed_pct: blend %%");
 	if (p != NULL)
-		answer_columns(r, "passing_pct: product %%");
+		answer_add_columns(r, "passing_pct: product %%");
 	if (p != NULL && p->low != NULL)
-		answer_columns(r, "low_pct: low %%, high_pct: high %%");
+		answer_add_columns(r, "low_pct: low %%, high_pct: high %%");
 	for (size_t k = 0; k < sieves->n; k++) {
 		double x = sieves->size[k];
-		answer_add_cells(r, "%g", units_mm(x));
+		answer_add_cells(r, "%g", units_m_to_mm(x));
 		for (size_t i = 0; i < b->n; i++)
 			answer_add_cells(r, "%.1f",
-			    units_pct(psd_passing(b->part[i].feed, x)));
+			    units_fraction_to_pct(
+				psd_passing(b->part[i].feed, x)));
 		answer_add_cells(
-		    r, "%.1f", units_pct(psd_passing(&b->feed, x)));
+		    r, "%.1f", units_fraction_to_pct(psd_passing(&b->feed, x)));
 		if (p != NULL)
-			answer_add_cells(
-			    r, "%.1f", units_pct(p->product.passing[k]));
+			answer_add_cells(r, "%.1f",
+			    units_fraction_to_pct(p->product.passing[k]));
 		if (p != NULL && p->low != NULL)
-			answer_add_cells(r, "%.1f %.1f", units_pct(p->low[k]),
-			    units_pct(p->high[k]));
+			answer_add_cells(r, "%.1f %.1f",
+			    units_fraction_to_pct(p->low[k]),
+			    units_fraction_to_pct(p->high[k]));
 	}
 }
 
 static void
-put_blend_component_fields(struct fields *o, const struct blended *b)
+put_blend_part_fields(struct fields *o, const struct blended *b)
 {
 	struct fields *list = fields_add_list(o, "parts");
 	for (size_t i = 0; i < b->n; i++)
@@ -82,9 +84,9 @@ put_blend_component_fields(struct fields *o, const struct blended *b)
 		    100 * b->part[i].share / b->sum, b->part[i].sheet->rock,
 		    b->part[i].sheet->provenance);
 	fields_put_numbers(
-	    o, "feed_sieve_mm", b->feed.size, b->feed.n, units_mm);
+	    o, "feed_sieve_mm", b->feed.size, b->feed.n, units_m_to_mm);
 	fields_put_numbers(
-	    o, "feed_pct", b->feed.passing, b->feed.n, units_pct);
+	    o, "feed_pct", b->feed.passing, b->feed.n, units_fraction_to_pct);
 }
 
 static void
@@ -110,9 +112,9 @@ note_feeds_limiting_fines(struct answer *r, const struct blended *b)
 			    file_name_without_folders(b->part[i].file));
 	}
 	if (unknown[0] != '\0')
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "the blend is known down to %g mm, the finest sieve of %s",
-		    units_mm(finest), unknown);
+		    units_m_to_mm(finest), unknown);
 }
 
 /* Shows the blend without a product, because it cannot be predicted. */
@@ -121,14 +123,14 @@ show_blended_feed(
     struct session *s, const struct blended *b, const char *why_not)
 {
 	struct answer *r = answer_new("blend");
-	answer_title(r, "blend of %s", b->words);
+	answer_set_title(r, "blend of %s", b->words);
 	answer_set_site(r, "blend", b->of);
 	add_blend_rows(r, b, &b->feed, NULL);
 	note_sum_of_blend_parts(r, b);
 	note_feeds_limiting_fines(r, b);
 	answer_note(r, "no product is predicted: %s", why_not);
-	fields_put_values(answer_fields(r), "feed %s", b->words);
-	put_blend_component_fields(answer_fields(r), b);
+	fields_put_values(answer_json_fields(r), "feed %s", b->words);
+	put_blend_part_fields(answer_json_fields(r), b);
 	session_show_answer(s, r);
 }
 
@@ -140,18 +142,19 @@ show_product_of_blend(
 	double v = q->speed;
 	struct prediction p = forecast_whole_product(s, entry, v, q->feed);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
-	struct answer *r = answer_about_site(entry->site, "blend",
+	struct answer *r = answer_new_about_site(entry->site, "blend",
 	    "product at %g m/s%s (%.0f J/kg)", v, rpm, p.energy);
 	add_blend_rows(r, b, &p.product, &p);
-	put_blend_component_fields(answer_fields(r), b);
-	answers_put_prediction(s, answer_fields(r), entry, &entry->params, &p);
+	put_blend_part_fields(answer_json_fields(r), b);
+	answers_put_prediction_fields(
+	    s, answer_json_fields(r), entry, &entry->params, &p);
 	note_sum_of_blend_parts(r, b);
-	answers_note_sizes(r, &p);
+	answers_note_p_sizes(r, &p);
 	if (p.low != NULL) {
-		answer_put_columns_as_lists(r, "low_pct high_pct");
-		answers_put_size_bands(answer_fields(r), s, &p);
+		answer_add_columns_to_json_fields(r, "low_pct high_pct");
+		answers_put_p_size_bands(answer_json_fields(r), s, &p);
 	}
-	answers_show_basis_at_speed(s, r, q, v, p.low != NULL);
+	answers_note_basis_and_trust_at_speed(s, r, q, v, p.low != NULL);
 	prediction_free(&p);
 	session_show_answer(s, r);
 }
@@ -164,18 +167,20 @@ show_blend(struct session *s, const struct args *args, const struct blended *b)
 		show_blended_feed(s, b, "no site is loaded");
 		return;
 	}
-	if (!answers_require_params_of_current(s, &none)) {
+	if (!answers_require_params_current_site(s, &none)) {
 		show_blended_feed(s, b, none.text);
 		return;
 	}
 	const struct scenario scenario = {
 	    .feed = b, .correction = s->set.correction};
 	struct question q;
-	question_from_scenario(s, session_current_entry(s), &scenario, &q);
-	q.speed = args->speed > 0
-		      ? args->speed
-		      : question_last_speed(
-			    s, answers_default_speed(session_current_entry(s)));
+	question_set_from_scenario(
+	    s, session_current_site_entry(s), &scenario, &q);
+	q.speed =
+	    args->speed > 0
+		? args->speed
+		: question_last_speed_or_usual(
+		      s, answers_default_speed(session_current_site_entry(s)));
 	show_product_of_blend(s, &q, b);
 	question_free(s, &q);
 }
@@ -188,15 +193,15 @@ write_blend_as_sheet(struct session *s, const struct args *args,
 {
 	size_t rows;
 	struct site *site = site_new(1);
-	xreplace(&site->name, xasprintf(tr("blend of %s"), b->words));
-	xreplace(&site->rock, xstrdup(b->rock));
-	xreplace(&site->provenance, xstrdup(b->of));
+	xfree_and_set(&site->name, xasprintf(tr("blend of %s"), b->words));
+	xfree_and_set(&site->rock, xstrdup(b->rock));
+	xfree_and_set(&site->provenance, xstrdup(b->of));
 	site->run[0].feed = psd_copy(&b->feed);
 	bool good = files_may_overwrite(s, args, path, error) &&
 		    site_save(site, path, &rows, error);
 	if (good) {
-		files_note_written(s, path);
-		session_note(s, "wrote %s: %zu rows", path, rows);
+		files_record_written(s, path);
+		session_print_note(s, "wrote %s: %zu rows", path, rows);
 	}
 	site_free(site);
 	return good;

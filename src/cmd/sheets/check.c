@@ -36,7 +36,7 @@ struct coarser {
 };
 
 static struct coarser
-find_sieves_coarser_than_feed(const struct run *run)
+find_where_product_is_coarser(const struct run *run)
 {
 	struct coarser found = {0};
 	found.compared = misfit_count_covered_sieves(run);
@@ -59,18 +59,19 @@ find_sieves_coarser_than_feed(const struct run *run)
 void
 check_warn_coarser_product(struct session *s, const struct site *site)
 {
-	bool none_finer = trust_is_no_product_finer(site);
+	bool none_finer = trust_are_products_like_feed(site);
 	for (size_t r = 0; r < site->n_run; r++) {
-		struct coarser c = find_sieves_coarser_than_feed(&site->run[r]);
+		struct coarser c = find_where_product_is_coarser(&site->run[r]);
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, site->run[r].speed, NAN);
 		if (c.most > (none_finer ? COARSER_FAULT : 0))
-			session_note(s,
+			session_print_note(s,
 			    "  at %g m/s%s%s the product is coarser than the "
 			    "feed on %zu of %zu sieves, by up to %.2f points "
 			    "at %g mm: run 'check'",
 			    site->run[r].speed, site->run[r].repeat, rpm,
-			    c.sieves, c.compared, 100 * c.most, units_mm(c.at));
+			    c.sieves, c.compared, 100 * c.most,
+			    units_m_to_mm(c.at));
 	}
 }
 
@@ -104,7 +105,7 @@ static bool
 check_product_against_feed(
     struct answer *r, const struct entry *entry, const struct run *run)
 {
-	struct coarser c = find_sieves_coarser_than_feed(run);
+	struct coarser c = find_where_product_is_coarser(run);
 	char buf[40];
 	const char *where = feed_or_speed_text(entry->site, run, buf);
 	bool fault = c.most > COARSER_FAULT;
@@ -118,7 +119,7 @@ check_product_against_feed(
 			       "sieves, by up to %.2f points at %g mm: "
 			       "crushing cannot coarsen; sampling error may "
 			       "explain it"),
-		    c.sieves, c.compared, 100 * c.most, units_mm(c.at));
+		    c.sieves, c.compared, 100 * c.most, units_m_to_mm(c.at));
 	if (run->product.n > 0 && c.farthest < SAMPLES_AGREE)
 		finding(r, entry, false, where,
 		    "product equals feed within %.2f points: nothing "
@@ -129,7 +130,7 @@ check_product_against_feed(
 		    "%zu product sieves finer than the feed's finest sieve are "
 		    "not compared (%g mm and below)",
 		    run->product.n - c.compared,
-		    units_mm(run->product.size[c.compared]));
+		    units_m_to_mm(run->product.size[c.compared]));
 	if (run->product.n == 0)
 		finding(r, entry, false, where,
 		    "a feed without a product: used for predictions only");
@@ -141,8 +142,9 @@ static char *
 two_run_speeds_text(
     const struct site *site, const struct run *a, const struct run *b)
 {
-	return xasprintf("%g%s, %g%s %s", answers_speed_number(site, a->speed),
-	    a->repeat, answers_speed_number(site, b->speed), b->repeat,
+	return xasprintf("%g%s, %g%s %s",
+	    answers_speed_in_sheet_unit(site, a->speed), a->repeat,
+	    answers_speed_in_sheet_unit(site, b->speed), b->repeat,
 	    answers_speed_unit(site));
 }
 
@@ -167,7 +169,7 @@ report_columns_entered_twice(struct answer *r, const struct entry *entry)
 
 /* Reports repeats that differ by more than two samples from one belt do. */
 static void
-check_repeats_agree(struct answer *r, const struct entry *entry)
+check_repeated_runs_agree(struct answer *r, const struct entry *entry)
 {
 	const double far = 0.05;
 	const struct site *site = entry->site;
@@ -176,10 +178,10 @@ check_repeats_agree(struct answer *r, const struct entry *entry)
 			const struct run *a = &site->run[k - 1];
 			const struct run *b = &site->run[i];
 			struct passing_order fall =
-			    trust_compare_slow_with_fast(
+			    trust_compare_slow_fast_products(
 				&a->product, &b->product);
 			struct passing_order rise =
-			    trust_compare_slow_with_fast(
+			    trust_compare_slow_fast_products(
 				&b->product, &a->product);
 			if (rise.most > fall.most)
 				fall = rise;
@@ -191,7 +193,7 @@ check_repeats_agree(struct answer *r, const struct entry *entry)
 			    "two products at one speed differ by %.2f points "
 			    "at %g mm, where repeat samples agree within 1: "
 			    "were samples mixed up or digits transposed?",
-			    100 * fall.most, units_mm(fall.at));
+			    100 * fall.most, units_m_to_mm(fall.at));
 		}
 }
 
@@ -204,8 +206,9 @@ check_faster_is_finer(struct answer *r, const struct entry *entry,
 {
 	const struct site *site = entry->site;
 	struct passing_order fall =
-	    trust_compare_slow_with_fast(&slow->product, &fast->product);
-	bool fault = !site->individual_feeds && trust_is_order_wrong(&fall);
+	    trust_compare_slow_fast_products(&slow->product, &fast->product);
+	bool fault =
+	    !site->individual_feeds && trust_is_product_order_wrong(&fall);
 	if (fall.most <= ORDER_NOTABLE)
 		return true;
 	FREED char *where = two_run_speeds_text(entry->site, slow, fast);
@@ -216,13 +219,13 @@ check_faster_is_finer(struct answer *r, const struct entry *entry,
 			 "were transposed there");
 	finding(r, entry, fault, where,
 	    "the faster run's product is coarser by %.2f points at %g mm: %s",
-	    100 * fall.most, units_mm(fall.at), why);
+	    100 * fall.most, units_m_to_mm(fall.at), why);
 	return !fault;
 }
 
 /* Compares each run with those at the next lower speed. */
 static bool
-check_products_by_speed(struct answer *r, const struct entry *entry)
+check_faster_runs_are_finer(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	bool ok = true;
@@ -261,7 +264,7 @@ find_sieve_curve_lacks(const struct psd *const *curve, size_t n, size_t at)
 /* Appends the feeds or the products of a site to the n curves, and the run of
  * each (NULL: of all runs) to run.  Returns the new number of curves. */
 static size_t
-append_feeds_or_products(const struct site *site, bool feed,
+append_feed_or_product_curves(const struct site *site, bool feed,
     const struct psd **curve, const struct run **run, size_t n)
 {
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -288,7 +291,8 @@ report_wide_gap_in_feed(struct answer *r, const struct entry *entry)
 		    "no sieve between %g and %g mm, where %.0f points of it "
 		    "lie: add one, because its curve is assumed to be straight "
 		    "there",
-		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]),
+		    units_m_to_mm(feed->size[i]),
+		    units_m_to_mm(feed->size[i + 1]),
 		    100 * (feed->passing[i] - feed->passing[i + 1]));
 }
 
@@ -302,8 +306,9 @@ report_lone_empty_cells(struct answer *r, const struct entry *entry)
 	FREED const struct psd **curve =
 	    xcalloc(2 * site->n_run, sizeof(*curve));
 	FREED const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
-	size_t feeds = append_feeds_or_products(site, true, curve, run, 0);
-	size_t n = append_feeds_or_products(site, false, curve, run, feeds);
+	size_t feeds = append_feed_or_product_curves(site, true, curve, run, 0);
+	size_t n =
+	    append_feed_or_product_curves(site, false, curve, run, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
 		double x = find_sieve_curve_lacks(curve, n, i);
 		if (x > 0)
@@ -318,7 +323,7 @@ report_lone_empty_cells(struct answer *r, const struct entry *entry)
 				     "and no other in its row: if it was "
 				     "weighed in grams and forgotten, the "
 				     "whole curve is wrong"),
-			    units_mm(x));
+			    units_m_to_mm(x));
 	}
 }
 
@@ -359,8 +364,8 @@ report_worst_cell_of_fit(struct answer *r, const struct entry *entry)
 	finding(r, entry, false, feed_or_speed_text(entry->site, run, buf),
 	    "product passing %g %% at %g mm is %.1f points %s the calibrated "
 	    "product: were digits transposed, here or in a neighbouring cell?",
-	    units_pct(psd_passing(&run->product, v.worst_sieve)),
-	    units_mm(v.worst_sieve), 100 * fabs(v.worst_difference),
+	    units_fraction_to_pct(psd_passing(&run->product, v.worst_sieve)),
+	    units_m_to_mm(v.worst_sieve), 100 * fabs(v.worst_difference),
 	    v.worst_difference < 0 ? tr("above") : tr("below"));
 }
 
@@ -418,8 +423,8 @@ check_site(
 		ok = check_product_against_feed(
 			 r, entry, &entry->site->run[i]) &&
 		     ok;
-	ok = check_products_by_speed(r, entry) && ok;
-	check_repeats_agree(r, entry);
+	ok = check_faster_runs_are_finer(r, entry) && ok;
+	check_repeated_runs_agree(r, entry);
 	report_columns_entered_twice(r, entry);
 	report_lone_empty_cells(r, entry);
 	report_wide_gap_in_feed(r, entry);
@@ -435,7 +440,7 @@ check_site(
 		report_worst_cell_of_fit(r, entry);
 	report_sites_with_same_data(s, r, index);
 	if (index == s->current)
-		mend_put_numbered_list(r, entry, &d);
+		mend_add_numbered_list(r, entry, &d);
 	outliers_free(&d);
 	if (strcmp(site_data_kind(entry->site->provenance), "not stated") == 0)
 		finding(r, entry, false, tr("site file"),
@@ -463,19 +468,19 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 		last = first;
 	}
 	struct answer *r = answer_new("check");
-	answer_columns(r, "site, kind, where, finding");
-	struct fields *read = fields_add_list(answer_fields(r), "read");
+	answer_add_columns(r, "site, kind, where, finding");
+	struct fields *read = fields_add_list(answer_json_fields(r), "read");
 	bool ok = true;
 	for (size_t i = first; i <= last; i++)
 		ok = check_site(s, r, read, i) && ok;
-	answer_put_rows_as_objects(r, "rows");
-	fields_put_values(answer_fields(r), "ok %d", ok);
+	answer_add_rows_as_json_objects(r, "rows");
+	fields_put_values(answer_json_fields(r), "ok %d", ok);
 	answer_note(r, "%s",
 	    !ok ? tr("there are faults")
 	    : answer_count_rows(r) == 0
 		? tr("no faults found")
 		: tr("no faults found; judge the remarks yourself"));
-	bool mends = answer_find_number(r, "mends.n") > 0;
+	bool mends = answer_find_json_number(r, "mends.n") > 0;
 	session_show_answer(s, r);
 	if (ok)
 		return true;
@@ -483,7 +488,8 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	    "check found faults in the site file\n"
 	    "correct the spreadsheet, save it and load it again");
 	if (mends)
-		error_hint(error, "correct the spreadsheet, save it and load "
-				  "it again; or mend it here: mend 1");
+		error_set_hint(error,
+		    "correct the spreadsheet, save it and load "
+		    "it again; or mend it here: mend 1");
 	return false;
 }

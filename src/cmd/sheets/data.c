@@ -33,12 +33,12 @@ is_any_sheet_in_rpm(const struct session *s)
 static void
 add_cell_of_run_speeds(struct answer *r, const struct site *site, bool unit)
 {
-	FREED char *speeds = session_run_speeds_text(site, " ", NULL, true);
-	FREED char *rpm = session_run_rpm_text(site, " ", NULL, true);
+	FREED char *speeds = session_speeds_of_runs_text(site, " ", NULL, true);
+	FREED char *rpm = session_rpm_of_runs_text(site, " ", NULL, true);
 	FREED char *shown =
 	    xasprintf("%s%s%s", answers_is_sheet_in_rpm(site) ? rpm : speeds,
 		unit ? " " : "", unit ? answers_speed_unit(site) : "");
-	answer_name(r, speeds, shown);
+	answer_add_keyed_cell(r, speeds, shown);
 }
 
 bool
@@ -48,26 +48,27 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	struct answer *r = answer_new("sites");
 	bool unit = is_any_sheet_in_rpm(s);
-	answer_columns(r, "key: site, name, rock, top_size_mm: top mm");
-	answer_columns(
+	answer_add_columns(r, "key: site, name, rock, top_size_mm: top mm");
+	answer_add_columns(
 	    r, unit ? N_("speeds: speeds") : N_("speeds: speeds m/s"));
-	answer_columns(r, "calibrated, data");
+	answer_add_columns(r, "calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		FREED char *marked =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
-		answer_name(r, entry->key, marked);
+		answer_add_keyed_cell(r, entry->key, marked);
 		answer_add_cells(r, "%s %s %g", entry->site->name,
 		    entry->site->rock,
-		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
-					      : NAN);
+		    entry->site->top_size > 0
+			? units_m_to_mm(entry->site->top_size)
+			: NAN);
 		add_cell_of_run_speeds(r, entry->site, unit);
 		answer_add_cells(r, "%s %s",
 		    entry->has_fit       ? tr("yes")
 		    : !entry->has_params ? tr("no")
 		    : origin_is_from_store(entry->origin)
 			? tr("from store")
-			: origin_source_text(entry),
+			: origin_of_params_text(entry),
 		    tr(site_data_kind(entry->site->provenance)));
 	}
 	answer_note(r, s->n_entry > 0
@@ -87,7 +88,7 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 	if (!session_find_site(s, args->operand[0], &s->current, error))
 		return false;
 	if (s->current != before) {
-		session_forget_answers(s);
+		session_remove_answers(s);
 		s->last_asked = (struct last_asked){0};
 	}
 	return true;
@@ -96,12 +97,12 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 /* Fills in the names and the provenance, which states that nothing was measured
  * and that the middle speed is an assumption (D8). */
 static void
-fill_in_synthetic_site(struct site *site, const struct material *m,
+set_synthetic_site_provenance(struct site *site, const struct material *m,
     const struct synth *synth, const char *source)
 {
-	xreplace(&site->name, xstrdup(m->site));
-	xreplace(&site->rock, xstrdup(m->rock));
-	xreplace(&site->machine, xstrdup("Metso Barmac 5100 SE"));
+	xfree_and_set(&site->name, xstrdup(m->site));
+	xfree_and_set(&site->rock, xstrdup(m->rock));
+	xfree_and_set(&site->machine, xstrdup("Metso Barmac 5100 SE"));
 	free(site->provenance);
 	site->provenance = xasprintf(
 	    "reconstructed from %s, not measured; f_mat %g, E0_min %g, alpha "
@@ -115,7 +116,7 @@ fill_in_synthetic_site(struct site *site, const struct material *m,
 }
 
 static struct site *
-synth_site_of_material(const struct material *m, const struct args *args)
+make_synthetic_site(const struct material *m, const struct args *args)
 {
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
 	    .params = m->params,
@@ -125,9 +126,9 @@ synth_site_of_material(const struct material *m, const struct args *args)
 	    .seed = args->seed,
 	    .n_speed = args->speeds.n,
 	    .speed = args->speeds.at};
-	struct site *site = synth_site(&synth);
+	struct site *site = synth_make_site(&synth);
 	const char *file = file_name_without_folders(args->operand[0]);
-	fill_in_synthetic_site(site, m, &synth,
+	set_synthetic_site_provenance(site, m, &synth,
 	    strcmp(file, "table3.csv") == 0 || strcmp(file, "table3") == 0
 		? "Table 3"
 		: file);
@@ -149,20 +150,20 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	struct error_list errors = {.stop = s->hooks.stop};
 	bool built_in = strcmp(args->operand[0], "table3") == 0;
 	if (!built_in)
-		files_note_read(s, args->operand[0]);
+		files_record_read(s, args->operand[0]);
 	struct material_list rows = {0};
 	bool read = true;
 	if (built_in)
-		material_add_table3(&rows);
+		material_add_table3_to_list(&rows);
 	else
 		read =
 		    material_read_table3_file(args->operand[0], &rows, &errors);
 	size_t made = 0;
 	for (size_t i = 0; i < rows.n && read; i++) {
 		const struct material *row = &rows.item[i];
-		if (wanted != NULL && !text_same_folded(wanted, row->site))
+		if (wanted != NULL && !text_is_same_folded(wanted, row->site))
 			continue;
-		session_add_site(s, synth_site_of_material(row, args));
+		session_add_site(s, make_synthetic_site(row, args));
 		made++;
 	}
 	material_list_free(&rows);
@@ -174,7 +175,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		    "%s has no site '%s'\n"
 		    "use a name of its column site",
 		    args->operand[0], wanted);
-	session_note(s,
+	session_print_note(s,
 	    tr_n("made %zu synthetic site: not measured",
 		"made %zu synthetic sites: not measured", made),
 	    made);
@@ -184,7 +185,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 /* Returns the path of the file for an entry: "FOLDER/gavle-11.2-2.csv" for the
  * key "gavle/11.2/2". */
 static char *
-file_name_of_entry(const struct entry *entry, const char *folder)
+csv_path_of_site(const struct entry *entry, const char *folder)
 {
 	FREED char *stem = text_slug(entry->key);
 	return xasprintf("%s/%s.csv", folder, stem);
@@ -197,15 +198,15 @@ write_site_file(struct session *s, const struct args *args,
 	size_t rows;
 	if (!files_may_overwrite(s, args, path, error)) {
 		if (error->kind == ERROR_USAGE)
-			error_hint(error,
+			error_set_hint(error,
 			    "use replace=on to overwrite it; write "
 			    "saves a site file, use > FILE for results");
 		return false;
 	}
 	if (!site_save(site, path, &rows, error))
 		return false;
-	files_note_written(s, path);
-	session_note(s, "wrote %s: %zu rows", path, rows);
+	files_record_written(s, path);
+	session_print_note(s, "wrote %s: %zu rows", path, rows);
 	return true;
 }
 
@@ -217,9 +218,9 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 	if (!folder)
 		return write_site_file(
-		    s, args, session_current_entry(s)->site, path, error);
+		    s, args, session_current_site_entry(s)->site, path, error);
 	for (size_t i = 0; i < s->n_entry; i++) {
-		FREED char *file = file_name_of_entry(&s->entry[i], path);
+		FREED char *file = csv_path_of_site(&s->entry[i], path);
 		bool ok =
 		    write_site_file(s, args, s->entry[i].site, file, error);
 		if (!ok)

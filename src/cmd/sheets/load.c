@@ -109,25 +109,26 @@ load_add_file(struct load *l, const char *word, struct error *error)
 }
 
 void
-load_note_how_read(const struct session *s, const struct site *site)
+load_print_how_site_was_read(const struct session *s, const struct site *site)
 {
 	enum { MOST = 4 };
 	size_t more = site->n_left_out;
 	if (site->read_as[0] != '\0')
-		session_note(s, "  read: %s", site->read_as);
+		session_print_note(s, "  read: %s", site->read_as);
 	if (site->assumed[0] != '\0')
-		session_note(s, "  likely, not stated: %s", site->assumed);
+		session_print_note(
+		    s, "  likely, not stated: %s", site->assumed);
 	else if (site->read_as[0] != '\0')
-		session_note(s,
+		session_print_note(s,
 		    site->told ? N_("  certain: the file states it, or you did")
 			       : N_("  certain: the file states all of it"));
 	if (site->remark[0] != '\0')
-		session_note(s, "  %s", site->remark);
+		session_print_note(s, "  %s", site->remark);
 	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)
-		session_note(s, "  not read: %s, %s", site->left_out[i].key,
-		    site->left_out[i].value);
+		session_print_note(s, "  not read: %s, %s",
+		    site->left_out[i].key, site->left_out[i].value);
 	if (more > 0)
-		session_note(s, "  and %zu more: run 'check'", more);
+		session_print_note(s, "  and %zu more: run 'check'", more);
 }
 
 /* Says in one line what was loaded, in two how it was read, and more only if
@@ -139,27 +140,27 @@ note_loaded_site(struct session *s, const struct site *site)
 	FREED char *label = session_site_label(site);
 	free(site_all_sieves(site, &n));
 	if (products > 0)
-		session_note(s,
+		session_print_note(s,
 		    tr_n("loaded %s: %zu run, %zu sieves",
 			"loaded %s: %zu runs, %zu sieves", site->n_run),
 		    label, site->n_run, n);
 	else
-		session_note(s,
+		session_print_note(s,
 		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
 		    "for an estimate",
 		    label, n);
-	if (trust_is_no_product_finer(site))
-		session_note(s, "  %s", tr(FIT_NOTHING_BREAKS));
-	load_note_how_read(s, site);
+	if (trust_are_products_like_feed(site))
+		session_print_note(s, "  %s", tr(FIT_NOTHING_BREAKS));
+	load_print_how_site_was_read(s, site);
 	if (products == 1)
-		session_note(s,
+		session_print_note(s,
 		    "  one product: it cannot show what the speed does; "
 		    "'guess' and 'recall' take that from other quarries, 'add' "
 		    "adds a cut at another speed");
 }
 
 static void
-put_user_answers_in_request(
+copy_user_answers_to_request(
     const struct user_answers *said, struct site_request *q)
 {
 	q->columns = said->columns != NULL ? said->columns : q->columns;
@@ -174,12 +175,12 @@ put_user_answers_in_request(
 /* Asks the user what the files leave open.  Returns false if there is no user,
  * or the user gives up. */
 static bool
-ask_user_about_load(struct session *s, struct load *l,
+ask_user_about_loaded_files(struct session *s, struct load *l,
     const struct site_ask *ask, const struct error_list *errors)
 {
 	bool good = errors->n > 0 &&
 		    ask_open_questions(s, ask, &errors->item[0], &l->said);
-	put_user_answers_in_request(&l->said, &l->request);
+	copy_user_answers_to_request(&l->said, &l->request);
 	return good;
 }
 
@@ -193,20 +194,20 @@ hint_how_to_add_products(
 	char number[32];
 	const char *site = s->n_entry > 0 ? s->entry[s->current].key : NULL;
 	FREED char *line = xstrdup("add"),
-		   *options = journal_options_to_load(&l->request);
+		   *options = journal_load_options_text(&l->request);
 	for (size_t i = 0; i < l->request.n; i++) {
 		FREED char *word =
 		    l->speed[i] > 0
 			? xasprintf("%s@%s", l->path[i],
 			      text_shortest_exact_number(l->speed[i], number))
 			: xstrdup(l->path[i]);
-		journal_append_word(&line, word);
+		journal_append_quoted_word(&line, word);
 	}
 	if (site != NULL)
-		error_hint(error, "add it to %s, which has a feed: %s%s", site,
-		    line, options);
+		error_set_hint(error, "add it to %s, which has a feed: %s%s",
+		    site, line, options);
 	else if (store_count_materials(s->store, &own, NULL) && own > 0)
-		error_hint(error,
+		error_set_hint(error,
 		    "bring back the site that it belongs to, and add it: "
 		    "recall NAME; %s%s",
 		    line, options);
@@ -221,12 +222,12 @@ read_site_or_ask_user(struct session *s, struct load *l, struct error *error)
 		struct error_list errors = {.stop = s->hooks.stop};
 		struct site_ask ask = {0};
 		struct site *site =
-		    site_read_request(&l->request, &errors, &ask);
+		    site_read_with_options(&l->request, &errors, &ask);
 		/* For feed= nothing is asked, because answers could not be
 		 * saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
 			     !l->request.feed &&
-			     ask_user_about_load(s, l, &ask, &errors);
+			     ask_user_about_loaded_files(s, l, &ask, &errors);
 		bool cuts =
 		    ask.settle == NULL && ask.no_feed && !ask.no_product;
 		site_ask_clear(&ask);
@@ -242,17 +243,17 @@ read_site_or_ask_user(struct session *s, struct load *l, struct error *error)
 }
 
 static bool
-add_site_just_read(
+add_loaded_site_to_session(
     struct session *s, struct load *l, struct site *site, struct error *error)
 {
-	if (!session_add_if_digest_matches(s, site, l->digest, error))
+	if (!session_add_site_if_same_digest(s, site, l->digest, error))
 		return false;
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	note_loaded_site(s, entry->site);
 	check_warn_coarser_product(s, entry->site);
-	FREED char *line = journal_line_to_load(entry->site->digest,
+	FREED char *line = journal_load_command_text(entry->site->digest,
 	    l->request.n, l->request.path, l->request.speed);
-	FREED char *options = journal_options_to_load(&l->request);
+	FREED char *options = journal_load_options_text(&l->request);
 	journal_add_line(s, NULL, "%s%s", line, options);
 	return true;
 }
@@ -261,14 +262,14 @@ static bool
 load_files_as_one_site(struct session *s, struct load *l, struct error *error)
 {
 	for (size_t i = 0; i < l->request.n; i++)
-		files_note_read(s, l->path[i]);
+		files_record_read(s, l->path[i]);
 	struct site *site = read_site_or_ask_user(s, l, error);
-	return site != NULL && add_site_just_read(s, l, site, error);
+	return site != NULL && add_loaded_site_to_session(s, l, site, error);
 }
 
 static void
-find_feed_and_product_in_file(const struct session *s, struct load *l, size_t i,
-    bool *feed, bool *product)
+classify_file_as_feed_or_product(const struct session *s, struct load *l,
+    size_t i, bool *feed, bool *product)
 {
 	struct site_request one = l->request;
 	struct error_list errors = {.stop = s->hooks.stop};
@@ -276,7 +277,7 @@ find_feed_and_product_in_file(const struct session *s, struct load *l, size_t i,
 	one.n = 1;
 	one.path = &l->request.path[i];
 	one.speed = &l->request.speed[i];
-	site_free(site_read_request(&one, &errors, &ask));
+	site_free(site_read_with_options(&one, &errors, &ask));
 	*feed = ask.no_product && !ask.no_feed;
 	*product = ask.no_feed && !ask.no_product;
 	site_ask_clear(&ask);
@@ -294,7 +295,7 @@ are_files_parts_of_site(const struct session *s, struct load *l)
 			return true; /* the user says so */
 	for (size_t i = 0; i < n; i++) {
 		bool feed, product;
-		find_feed_and_product_in_file(s, l, i, &feed, &product);
+		classify_file_as_feed_or_product(s, l, i, &feed, &product);
 		if (!feed && !product)
 			return false;
 		feeds += feed;
@@ -317,7 +318,8 @@ report_unread_files(struct session *s, const struct unread *u, size_t n,
 {
 	if (u->n == 0)
 		return true;
-	session_note(s, "%zu of %zu files are loaded, not these:", n - u->n, n);
+	session_print_note(
+	    s, "%zu of %zu files are loaded, not these:", n - u->n, n);
 	size_t last = u->n - 1;
 	while (last > 0 && u->fault[last].kind != ERROR_SYSTEM)
 		last--;
@@ -404,8 +406,9 @@ skip_result_files(const struct session *s, struct load *l, size_t from)
 			l->path[n++] = l->path[i];
 			continue;
 		}
-		session_note(s, "left out %s: tipspeed's own results (%s)",
-		    l->path[i], command);
+		session_print_note(s,
+		    "left out %s: tipspeed's own results (%s)", l->path[i],
+		    command);
 		free(l->path[i]);
 	}
 	l->request.n = n;
@@ -429,7 +432,7 @@ load_add_folder(const struct session *s, struct load *l, DIR *dir,
 		    compare_file_names);
 	skip_result_files(s, l, before);
 	return l->request.n > before ||
-	       error_at(error, ERROR_DATA, path, 0, 0,
+	       error_set_at(error, ERROR_DATA, path, 0, 0,
 		   "expected sheets in this folder (.csv .tsv .txt .xlsx "
 		   ".ods), got none\n"
 		   "name the folder that has them");
@@ -461,7 +464,7 @@ load_add_files_or_folders(const struct session *s, struct load *l, size_t n,
 /* Returns the edit distance of two file names, ignoring case and, if a has no
  * ending, that of b; 0 if only the endings differ. */
 static size_t
-distance_of_file_names(const char *a, const char *b)
+file_name_edit_distance(const char *a, const char *b)
 {
 	FREED char *one = text_fold_case_and_accents(a),
 		   *two = text_fold_case_and_accents(b);
@@ -475,7 +478,7 @@ distance_of_file_names(const char *a, const char *b)
 /* Returns the path of the sheet in the same folder whose name is closest to
  * that of `path`, or NULL if none is close.  The caller frees it. */
 static char *
-sheet_with_closest_name(const char *path)
+closest_sheet_file_path(const char *path)
 {
 	const char *name = file_name_without_folders(path);
 	int head = (int)(name - path);
@@ -484,14 +487,15 @@ sheet_with_closest_name(const char *path)
 	char *nearest = NULL;
 	DIR *dir = opendir(folder);
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
-		size_t apart = distance_of_file_names(name, e->d_name);
+		size_t apart = file_name_edit_distance(name, e->d_name);
 		bool first =
 		    nearest == NULL || strcmp(e->d_name, nearest + head) < 0;
 		if (!is_name_of_sheet_file(e->d_name) || apart > least ||
 		    (apart == least && !first))
 			continue;
 		least = apart;
-		xreplace(&nearest, xasprintf("%.*s%s", head, path, e->d_name));
+		xfree_and_set(
+		    &nearest, xasprintf("%.*s%s", head, path, e->d_name));
 	}
 	if (dir != NULL)
 		closedir(dir);
@@ -509,9 +513,10 @@ hint_closest_file_name(size_t n, const char *const *word,
 	bool found = false;
 	for (size_t i = 0; i < n; i++) {
 		FREED char *near = access(word[i], F_OK) != 0
-				       ? sheet_with_closest_name(word[i])
+				       ? closest_sheet_file_path(word[i])
 				       : NULL;
-		journal_append_word(&line, near != NULL ? near : word[i]);
+		journal_append_quoted_word(
+		    &line, near != NULL ? near : word[i]);
 		found = found || near != NULL;
 	}
 	for (size_t i = 0;
@@ -521,10 +526,10 @@ hint_closest_file_name(size_t n, const char *const *word,
 			continue;
 		FREED char *option =
 		    xasprintf("%s=%s", o->name, args->value[i].text);
-		journal_append_word(&line, option);
+		journal_append_quoted_word(&line, option);
 	}
 	if (found && error->kind == ERROR_SYSTEM)
-		error_hint(error, "did you mean '%s'?", line);
+		error_set_hint(error, "did you mean '%s'?", line);
 }
 
 static void
@@ -569,11 +574,11 @@ load_cuts(struct session *s, const struct args *args, const char *const *word,
 	for (size_t i = 0; i < args->n_operand && good; i++)
 		good = load_add_file(&l, word[i], error);
 	for (size_t i = 0; i < l.request.n && good; i++)
-		files_note_read(s, l.path[i]);
+		files_record_read(s, l.path[i]);
 	struct site *site = good ? read_site_or_ask_user(s, &l, error) : NULL;
-	put_user_answers_in_request(&l.said, &answers);
-	FREED char *options = journal_options_to_load(&answers);
-	invocation_journal_options(s, "%s", options);
+	copy_user_answers_to_request(&l.said, &answers);
+	FREED char *options = journal_load_options_text(&answers);
+	invocation_add_journal_options(s, "%s", options);
 	free_load_request(&l);
 	return site;
 }
@@ -627,7 +632,7 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 	double speed = good ? l.speed[0] : 0;
 	if (good) {
 		l.speed[0] = 0;
-		files_note_read(s, l.path[0]);
+		files_record_read(s, l.path[0]);
 		site = read_site_or_ask_user(s, &l, error);
 	}
 	if (site != NULL &&
@@ -636,7 +641,7 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 		site = NULL;
 	}
 	if (site != NULL)
-		load_note_how_read(s, site);
+		load_print_how_site_was_read(s, site);
 	free_load_request(&l);
 	return site;
 }
@@ -646,7 +651,7 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 {
 	enum { AS_SITE, AS_LOG };
 	if (args->as == AS_LOG)
-		return log_load(s, args, error);
+		return log_load_plant_log(s, args, error);
 	if (args_is_given(args, &args->dates))
 		return error_set(error, ERROR_USAGE,
 		    "load: expected no dates=, which is for a log\n"
@@ -655,6 +660,6 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	bool good = load_files(s, args->n_operand, args->operand, args, error);
 	if (!good && args->n_operand == 1 && access(word, F_OK) != 0 &&
 	    store_has_material(s->store, word))
-		error_hint(error, "it is in the store: recall %s", word);
+		error_set_hint(error, "it is in the store: recall %s", word);
 	return good;
 }

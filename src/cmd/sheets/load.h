@@ -28,6 +28,7 @@ struct site *load_feed(
     struct session *s, const char *word, size_t *run, struct error *error);
 
 /* Notes how a site's files were read, as load does. */
-void load_note_how_read(const struct session *s, const struct site *site);
+void load_print_how_site_was_read(
+    const struct session *s, const struct site *site);
 
 #endif

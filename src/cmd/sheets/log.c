@@ -42,7 +42,7 @@ time_range_text(double from, double to)
 
 /* Returns "rpm 1180 to 1420, kW 150 to 210". */
 static char *
-log_contents_text(const struct plant_log *log)
+plant_log_value_ranges_text(const struct plant_log *log)
 {
 	struct log_window all = plant_log_summarise_window(
 	    log, log->time[0], log->time[log->n - 1]);
@@ -60,40 +60,40 @@ log_contents_text(const struct plant_log *log)
 /* True if the longest gap is worth reporting: longer than ten rows and longer
  * than five minutes. */
 static bool
-has_log_time_gap(const struct plant_log *log)
+has_long_gap_in_plant_log(const struct plant_log *log)
 {
 	return log->gap > 10 * log->apart && log->gap > 300;
 }
 
 static void
-note_log_contents(struct session *s, const struct plant_log *log)
+note_plant_log_contents(struct session *s, const struct plant_log *log)
 {
 	FREED char *rows = row_count_text(log->n),
-		   *all = log_contents_text(log);
+		   *all = plant_log_value_ranges_text(log);
 	FREED char *span = time_range_text(log->time[0], log->time[log->n - 1]);
-	session_note(s, "log: %s from %s, %s", rows, span, all);
-	session_note(s, "  read: %s", log->read_as);
+	session_print_note(s, "log: %s from %s, %s", rows, span, all);
+	session_print_note(s, "  read: %s", log->read_as);
 	if (log->assumed[0] != '\0')
-		session_note(s, "  likely, not stated: %s", log->assumed);
+		session_print_note(s, "  likely, not stated: %s", log->assumed);
 	if (log->passed > 0)
-		session_note(
+		session_print_note(
 		    s, "  not read: %zu rows without a time", log->passed);
-	if (has_log_time_gap(log)) {
+	if (has_long_gap_in_plant_log(log)) {
 		FREED char *gap =
 		    time_range_text(log->gap_from, log->gap_from + log->gap);
-		session_note(s, "  the longest gap: %s", gap);
+		session_print_note(s, "  the longest gap: %s", gap);
 	}
 }
 
 static void
-add_log_line_to_journal(
+add_plant_log_load_to_journal(
     struct session *s, const struct log_request *q, const struct plant_log *log)
 {
 	const struct site_request of = {
 	    .columns = q->columns, .sheet = q->sheet, .decimal = q->decimal};
 	FREED char *line =
-	    journal_line_to_load(log->digest, q->n, q->path, NULL);
-	FREED char *options = journal_options_to_load(&of);
+	    journal_load_command_text(log->digest, q->n, q->path, NULL);
+	FREED char *options = journal_load_options_text(&of);
 	journal_add_line(s, NULL, "%s as=log%s%s", line, options,
 	    q->order == DATETIME_OPEN        ? ""
 	    : q->order == DATETIME_DAY_FIRST ? " dates=day-first"
@@ -127,7 +127,7 @@ check_log_digest(
 	FREED char *found = xasprintf("%016" PRIx64, log->digest);
 	bool good = digest == NULL || strcmp(digest, found) == 0;
 	if (!good)
-		error_at(e, ERROR_DATA, log->path, 0, 0,
+		error_set_at(e, ERROR_DATA, log->path, 0, 0,
 		    "expected a log with digest %s, got %s: its numbers have "
 		    "changed\n"
 		    "leave out digest= to load it anyway; results will change",
@@ -136,7 +136,8 @@ check_log_digest(
 }
 
 bool
-log_load(struct session *s, const struct args *args, struct error *error)
+log_load_plant_log(
+    struct session *s, const struct args *args, struct error *error)
 {
 	struct log_request q = {.n = args->n_operand,
 	    .path = args->operand,
@@ -148,7 +149,7 @@ log_load(struct session *s, const struct args *args, struct error *error)
 		q.order = args->dates == 0 ? DATETIME_DAY_FIRST
 					   : DATETIME_MONTH_FIRST;
 	for (size_t i = 0; i < q.n; i++)
-		files_note_read(s, q.path[i]);
+		files_record_read(s, q.path[i]);
 	struct plant_log *log = read_log_or_ask_user(s, &q, error);
 	if (log == NULL)
 		return false;
@@ -157,17 +158,17 @@ log_load(struct session *s, const struct args *args, struct error *error)
 	if (!check_log_digest(log, args->digest, error))
 		return false;
 	if (s->log != NULL)
-		session_note(s, "replaced the log loaded earlier");
+		session_print_note(s, "replaced the log loaded earlier");
 	s->log = log;
-	note_log_contents(s, log);
-	add_log_line_to_journal(s, &q, log);
+	note_plant_log_contents(s, log);
+	add_plant_log_load_to_journal(s, &q, log);
 	return true;
 }
 
 /* Returns the median tip speed of a window, m/s to a tenth, computed from rpm
  * if the log has no tip speeds. */
 static double
-tip_speed_of_window(
+tip_speed_of_log_window(
     const struct plant_log *log, const struct log_window *w, double rotor)
 {
 	double v =
@@ -179,8 +180,8 @@ tip_speed_of_window(
 
 /* Reports how the speed was found, and warns if it was not steady. */
 static void
-note_speed_from_log(struct session *s, const struct plant_log *log, double time,
-    double within, double rotor, const struct log_window *w)
+note_speed_from_plant_log(struct session *s, const struct plant_log *log,
+    double time, double within, double rotor, const struct log_window *w)
 {
 	const double steady = 0.02;
 	enum log_column k = log->value[LOG_SPEED] != NULL ? LOG_SPEED : LOG_RPM;
@@ -190,26 +191,26 @@ note_speed_from_log(struct session *s, const struct plant_log *log, double time,
 		   *more = xstrdup("");
 	if (k == LOG_RPM)
 		xappend(&more, tr(" = %.1f m/s with a rotor of %g mm"),
-		    tip_speed_of_window(log, w, rotor), 1000 * rotor);
+		    tip_speed_of_log_window(log, w, rotor), 1000 * rotor);
 	for (size_t c = LOG_POWER; c < LOG_COLUMNS; c++)
 		if (!isnan(w->median[c]))
 			xappend(&more, ", %s %.4g", LOG_UNITS[c], w->median[c]);
-	session_note(
+	session_print_note(
 	    s, "log at %s: %s %.4g%s", at, LOG_UNITS[k], w->median[k], more);
-	session_note(s,
+	session_print_note(s,
 	    tr_n("  median of %zu row, %s: %s %s",
 		"  median of %zu rows, %s: %s %s", w->n),
 	    w->n, span, LOG_UNITS[k], range);
 	if (w->most[k] - w->least[k] > steady * w->median[k])
-		session_note(s,
+		session_print_note(s,
 		    "  warning: %s changed from %.4g to %.4g within the "
 		    "window: was the rotor steady at the cut?",
 		    LOG_UNITS[k], w->least[k], w->most[k]);
 }
 
 static bool
-fail_no_log_row_near(const struct plant_log *log, double time, double within,
-    struct error *error)
+set_no_near_log_row_error(const struct plant_log *log, double time,
+    double within, struct error *error)
 {
 	double near = log->time[plant_log_row_nearest_time(log, time)];
 	FREED char *at = datetime_to_text(time),
@@ -223,8 +224,8 @@ fail_no_log_row_near(const struct plant_log *log, double time, double within,
 }
 
 bool
-log_find_speed_at(struct session *s, double time, double within, double rotor,
-    struct logged *found, struct error *error)
+log_find_speed_at_time(struct session *s, double time, double within,
+    double rotor, struct logged *found, struct error *error)
 {
 	const struct plant_log *log = s->log;
 	if (log == NULL)
@@ -246,8 +247,8 @@ log_find_speed_at(struct session *s, double time, double within, double rotor,
 	struct log_window w =
 	    plant_log_summarise_window(log, time - within, time + within);
 	if (w.n == 0)
-		return fail_no_log_row_near(log, time, within, error);
-	double v = tip_speed_of_window(log, &w, rotor);
+		return set_no_near_log_row_error(log, time, within, error);
+	double v = tip_speed_of_log_window(log, &w, rotor);
 	if (!(v >= 1 && v <= SITE_FASTEST)) {
 		FREED char *at = datetime_to_text(time);
 		error_set(error, ERROR_USAGE,
@@ -257,13 +258,13 @@ log_find_speed_at(struct session *s, double time, double within, double rotor,
 		    w.median[rpm ? LOG_RPM : LOG_SPEED]);
 		return false;
 	}
-	note_speed_from_log(s, log, time, within, rotor, &w);
+	note_speed_from_plant_log(s, log, time, within, rotor, &w);
 	*found = (struct logged){v, w.median[LOG_POWER], w.median[LOG_RATE]};
 	return true;
 }
 
 bool
-show_log(struct session *s, const struct args *args, struct error *error)
+show_plant_log(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	const struct plant_log *log = s->log;
@@ -276,26 +277,26 @@ show_log(struct session *s, const struct args *args, struct error *error)
 	    log, log->time[0], log->time[log->n - 1]);
 	FREED char *from = datetime_to_text(log->time[0]);
 	FREED char *to = datetime_to_text(log->time[log->n - 1]);
-	answer_title(r, "the plant's log");
-	answer_columns(r, "what, value");
-	answer_add_pair(r, "file", "%s", log->path);
-	answer_add_pair(r, "rows", "%zu", log->n);
-	answer_add_pair(r, "from", "%s", from);
-	answer_add_pair(r, "to", "%s", to);
-	answer_add_pair(r, "seconds between rows", "%g", log->apart);
+	answer_set_title(r, "the plant's log");
+	answer_add_columns(r, "what, value");
+	answer_add_name_value_row(r, "file", "%s", log->path);
+	answer_add_name_value_row(r, "rows", "%zu", log->n);
+	answer_add_name_value_row(r, "from", "%s", from);
+	answer_add_name_value_row(r, "to", "%s", to);
+	answer_add_name_value_row(r, "seconds between rows", "%g", log->apart);
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		if (log->value[k] == NULL)
 			continue;
 		FREED char *range =
 		    number_range_text(all.least[k], all.most[k]);
-		answer_add_pair(
+		answer_add_name_value_row(
 		    r, LOG_UNITS[k], "%s, median %.4g", range, all.median[k]);
 	}
-	answer_add_pair(r, "read", "%s", log->read_as);
-	if (has_log_time_gap(log)) {
+	answer_add_name_value_row(r, "read", "%s", log->read_as);
+	if (has_long_gap_in_plant_log(log)) {
 		FREED char *gap =
 		    time_range_text(log->gap_from, log->gap_from + log->gap);
-		answer_add_pair(r, "longest gap", "%s", gap);
+		answer_add_name_value_row(r, "longest gap", "%s", gap);
 	}
 	return session_show_answer(s, r);
 }

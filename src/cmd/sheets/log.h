@@ -8,7 +8,8 @@
 #include "io/formats/plant_log.h"
 
 /* Runs load FILE.. as=log: loads the log in which add looks up cuts. */
-bool log_load(struct session *s, const struct args *args, struct error *error);
+bool log_load_plant_log(
+    struct session *s, const struct args *args, struct error *error);
 
 /* Finds the medians of the log's rows within so many seconds of a time: the tip
  * speed, m/s, to a tenth; kW and t/h, or NAN if the log has none.  rotor:
@@ -16,7 +17,7 @@ bool log_load(struct session *s, const struct args *args, struct error *error);
 struct logged {
 	double speed, power, rate;
 };
-bool log_find_speed_at(struct session *s, double time, double within,
+bool log_find_speed_at_time(struct session *s, double time, double within,
     double rotor, struct logged *found, struct error *error);
 
 #endif

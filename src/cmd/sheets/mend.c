@@ -18,9 +18,10 @@
 /* Returns the posterior if the site was calibrated on its present data, or
  * NULL. */
 static const struct posterior *
-posterior_of_same_data(const struct session *s, const struct entry *entry)
+posterior_if_data_unchanged(const struct session *s, const struct entry *entry)
 {
-	if (origin_source_fit(entry) == NULL || session_is_calibrating(s) ||
+	if (origin_fit_behind_params(entry) == NULL ||
+	    session_is_calibrating(s) ||
 	    entry->origin->history->site != entry->site)
 		return NULL;
 	return posterior_of_calibration(s, entry, CORRECTION_ALL);
@@ -29,14 +30,14 @@ posterior_of_same_data(const struct session *s, const struct entry *entry)
 bool
 mend_can_use_calibration(const struct session *s, const struct entry *entry)
 {
-	return posterior_of_same_data(s, entry) != NULL;
+	return posterior_if_data_unchanged(s, entry) != NULL;
 }
 
 struct outlier_findings
 mend_find_faults(const struct session *s, const struct entry *entry)
 {
-	return outliers_find(
-	    entry->site, posterior_of_same_data(s, entry), s->set.noise / 100);
+	return outliers_find(entry->site, posterior_if_data_unchanged(s, entry),
+	    s->set.noise / 100);
 }
 
 /* ---- Reporting ---- */
@@ -51,22 +52,23 @@ static const char *const KINDS[] = {[MEND_READ] = "read",
     [MEND_DROP] = "drop run"};
 
 char *
-mend_command_line(const struct site *site, const struct mend *m)
+mend_to_command_text(const struct site *site, const struct mend *m)
 {
 	static const char *const DO[] = {[MEND_OUT] = "out",
 	    [MEND_SWAP_FEED] = "swap",
 	    [MEND_UP] = "up",
 	    [MEND_DOWN] = "down",
 	    [MEND_DROP] = "drop"};
-	FREED char *name = mend_column_name(site, m->feed, m->run);
-	FREED char *with = mend_column_name(site, false, m->other);
+	FREED char *name = mend_name_of_column(site, m->feed, m->run);
+	FREED char *with = mend_name_of_column(site, false, m->other);
 	char *call = xasprintf("mend %s", name), number[32];
 	if (m->kind == MEND_READ || m->kind == MEND_OUT)
 		xappend(&call, " sieve=%s",
-		    text_shortest_exact_number(units_mm(m->size), number));
+		    text_shortest_exact_number(units_m_to_mm(m->size), number));
 	if (m->kind == MEND_READ)
 		xappend(&call, " value=%s",
-		    text_shortest_exact_number(units_pct(m->value), number));
+		    text_shortest_exact_number(
+			units_fraction_to_pct(m->value), number));
 	else if (m->kind == MEND_SCALE)
 		xappend(&call, " scale=%g", m->value);
 	else if (m->kind == MEND_SWAP_RUNS)
@@ -100,7 +102,7 @@ mend_finding_text(const struct site *site, const struct finding *f)
 	const struct mend *m = &f->mend;
 	if (m->kind != MEND_READ && m->kind != MEND_OUT) {
 		FREED char *effect = mend_effect_text(f);
-		char *words = mend_text(site, m);
+		char *words = mend_description(site, m);
 		if (effect[0] != '\0')
 			xappend_to_list(&words, "; ", "%s", effect);
 		return words;
@@ -112,37 +114,39 @@ mend_finding_text(const struct site *site, const struct finding *f)
 	if (isnan(f->expected))
 		return xasprintf(tr("%s passing %g %% at %g mm is off the line "
 				    "between its neighbours: %s"),
-		    what, units_pct(f->measured), units_mm(m->size), ask);
+		    what, units_fraction_to_pct(f->measured),
+		    units_m_to_mm(m->size), ask);
 	return xasprintf(
 	    tr("%s passing %g %% at %g mm, where %.1f (sd %.1f) is expected "
 	       "%s: %s"),
-	    what, units_pct(f->measured), units_mm(m->size), 100 * f->expected,
-	    100 * f->sd,
+	    what, units_fraction_to_pct(f->measured), units_m_to_mm(m->size),
+	    100 * f->expected, 100 * f->sd,
 	    isnan(f->surprise) ? tr("by its neighbours and the other runs")
 			       : tr("by all other passings and the fit"),
 	    ask);
 }
 
 static void
-put_numbered_mend(struct answer *r, struct fields *list,
+add_numbered_mend(struct answer *r, struct fields *list,
     const struct entry *entry, const struct finding *f, size_t number)
 {
 	const struct site *site = entry->site;
 	const struct mend *m = &f->mend;
 	bool cell = m->kind == MEND_READ || m->kind == MEND_OUT;
-	FREED char *words = mend_text(site, m), *effect = mend_effect_text(f);
-	FREED char *name = mend_column_name(site, m->feed, m->run);
-	FREED char *call = mend_command_line(site, m);
+	FREED char *words = mend_description(site, m),
+		   *effect = mend_effect_text(f);
+	FREED char *name = mend_name_of_column(site, m->feed, m->run);
+	FREED char *call = mend_to_command_text(site, m);
 	answer_note(r,
 	    effect[0] != '\0' ? "mend %zu: %s; %s" : "mend %zu: %s%s", number,
 	    words, effect);
 	struct fields *o = fields_add_object(list, NULL);
 	fields_put_values(o, "n %zu kind %s run %s sieve_mm %g from %g to %g",
-	    number, KINDS[m->kind], name, cell ? units_mm(m->size) : NAN,
-	    units_pct(f->measured),
-	    m->kind == MEND_READ ? units_pct(m->value) : NAN);
+	    number, KINDS[m->kind], name, cell ? units_m_to_mm(m->size) : NAN,
+	    units_fraction_to_pct(f->measured),
+	    m->kind == MEND_READ ? units_fraction_to_pct(m->value) : NAN);
 	fields_put_values(o, "expected %g sd %g surprise %g",
-	    units_pct(f->expected), 100 * f->sd, f->surprise);
+	    units_fraction_to_pct(f->expected), 100 * f->sd, f->surprise);
 	fields_put_values(o, "rmse_pct %g mended_rmse_pct %g words %s call %s",
 	    100 * f->rmse[0], 100 * f->rmse[1], words, call);
 }
@@ -156,21 +160,21 @@ digest_of_mend_list(const struct entry *entry, const struct outlier_findings *d)
 	    h, &entry->site->digest, sizeof entry->site->digest);
 	for (size_t i = 0; i < d->n; i++) {
 		FREED char *call =
-		    mend_command_line(entry->site, &d->finding[i].mend);
+		    mend_to_command_text(entry->site, &d->finding[i].mend);
 		h = text_fnv1a_digest(h, call, strlen(call) + 1);
 	}
 	return (double)(h >> 12);
 }
 
 void
-mend_put_numbered_list(struct answer *r, const struct entry *entry,
+mend_add_numbered_list(struct answer *r, const struct entry *entry,
     const struct outlier_findings *d)
 {
-	struct fields *list = fields_add_list(answer_fields(r), "mends");
+	struct fields *list = fields_add_list(answer_json_fields(r), "mends");
 	for (size_t i = 0; i < d->n; i++)
-		put_numbered_mend(r, list, entry, &d->finding[i], i + 1);
+		add_numbered_mend(r, list, entry, &d->finding[i], i + 1);
 	fields_put_values(
-	    answer_fields(r), ".mark %g", digest_of_mend_list(entry, d));
+	    answer_json_fields(r), ".mark %g", digest_of_mend_list(entry, d));
 	if (d->n > 0)
 		answer_note(r, "'mend N' makes one of these corrections, once "
 			       "the laboratory's sheet confirms it; 'undo' "
@@ -189,8 +193,8 @@ static bool
 find_mend_by_number(
     struct session *s, const char *word, struct mend *mend, struct error *error)
 {
-	const struct entry *entry = session_current_entry(s);
-	double known = session_answer_number(s, "check mend", "mark");
+	const struct entry *entry = session_current_site_entry(s);
+	double known = session_number_in_last_answer(s, "check mend", "mark");
 	struct outlier_findings d = mend_find_faults(s, entry);
 	unsigned long n = strtoul(word, NULL, 10);
 	bool ok = false;
@@ -230,7 +234,7 @@ count_mend_options(const struct args *args)
 }
 
 static bool
-parse_kind_of_mend(const struct args *args, struct mend *mend)
+set_mend_kind_from_options(const struct args *args, struct mend *mend)
 {
 	static const enum mend_kind DO[] = {
 	    MEND_OUT, MEND_SWAP_FEED, MEND_UP, MEND_DOWN, MEND_DROP};
@@ -248,7 +252,7 @@ parse_kind_of_mend(const struct args *args, struct mend *mend)
 }
 
 static bool
-fail_without_column(
+set_unknown_column_error(
     const struct site *site, const char *name, struct error *error)
 {
 	FREED char *list = xstrdup("");
@@ -258,7 +262,7 @@ fail_without_column(
 		if (feed ? !site_run_has_feed_sample(site, r)
 			 : site->run[r].product.n == 0)
 			continue;
-		FREED char *own = mend_column_name(site, feed, r);
+		FREED char *own = mend_name_of_column(site, feed, r);
 		xappend_to_list(&list, ", ", "%s", own);
 	}
 	error_set(error, ERROR_USAGE,
@@ -274,9 +278,10 @@ parse_mend_options(const struct site *site, const struct args *args,
 {
 	const char *name = args->operand[0], *with = args->with;
 	bool feed = false;
-	if (!mend_find_column(site, name, &mend->feed, &mend->run))
-		return fail_without_column(site, name, error);
-	if (count_mend_options(args) != 1 || !parse_kind_of_mend(args, mend))
+	if (!mend_find_column_by_name(site, name, &mend->feed, &mend->run))
+		return set_unknown_column_error(site, name, error);
+	if (count_mend_options(args) != 1 ||
+	    !set_mend_kind_from_options(args, mend))
 		return error_set(error, ERROR_USAGE,
 		    "expected what to do with %s\n"
 		    "use sieve=MM value=PERCENT, sieve=MM do=out, do=up, "
@@ -285,19 +290,19 @@ parse_mend_options(const struct site *site, const struct args *args,
 		    name);
 	if (with == NULL)
 		return true;
-	if (!mend_find_column(site, with, &feed, &mend->other) || feed ||
-	    mend->other == mend->run)
-		return fail_without_column(site, with, error);
+	if (!mend_find_column_by_name(site, with, &feed, &mend->other) ||
+	    feed || mend->other == mend->run)
+		return set_unknown_column_error(site, with, error);
 	return true;
 }
 
 static bool
 show_proposed_mends(struct session *s)
 {
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	struct answer *r = answer_new("mend");
 	struct outlier_findings d = mend_find_faults(s, entry);
-	mend_put_numbered_list(r, entry, &d);
+	mend_add_numbered_list(r, entry, &d);
 	if (d.n == 0)
 		answer_note(r, "no mend is proposed for %s", entry->key);
 	outliers_free(&d);
@@ -308,7 +313,7 @@ bool
 cmd_mend(struct session *s, const struct args *args, struct error *error)
 {
 	struct mend mend = {.kind = MEND_READ};
-	const struct entry *entry = session_current_entry(s);
+	const struct entry *entry = session_current_site_entry(s);
 	if (args->n_operand == 0)
 		return show_proposed_mends(s);
 	const char *word = args->operand[0];
@@ -319,14 +324,15 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	    found ? site_with_mend(entry->site, &mend, error) : NULL;
 	if (site == NULL)
 		return false;
-	FREED char *words = mend_text(entry->site, &mend);
-	xreplace(&s->invocation->line, mend_command_line(entry->site, &mend));
-	bool fitted = session_replace_by_mended(s, s->current, site);
-	session_note(s, "mended: %s", words);
+	FREED char *words = mend_description(entry->site, &mend);
+	xfree_and_set(
+	    &s->invocation->line, mend_to_command_text(entry->site, &mend));
+	bool fitted = session_replace_site_by_mended(s, s->current, site);
+	session_print_note(s, "mended: %s", words);
 	if (fitted)
-		session_note(s, "  the data have changed since the "
-				"calibration: calibrate again");
-	session_note(s, "  its file is unchanged: 'write FILE' saves the "
-			"mended sheet, 'undo' reverses the mend");
+		session_print_note(s, "  the data have changed since the "
+				      "calibration: calibrate again");
+	session_print_note(s, "  its file is unchanged: 'write FILE' saves the "
+			      "mended sheet, 'undo' reverses the mend");
 	return true;
 }

@@ -17,13 +17,13 @@ bool mend_can_use_calibration(
 
 /* Adds the mends to an answer, numbered, as sentences and as the list "mends"
  * in its fields, with a mark that identifies the list. */
-void mend_put_numbered_list(struct answer *r, const struct entry *entry,
+void mend_add_numbered_list(struct answer *r, const struct entry *entry,
     const struct outlier_findings *d);
 
 /* mend_finding_text returns a finding as a sentence, as check shows it.
- * mend_command_line returns the line that applies a mend in any session, "mend
- * product@79 sieve=2 value=61.9".  The caller frees them. */
+ * mend_to_command_text returns the line that applies a mend in any session,
+ * "mend product@79 sieve=2 value=61.9".  The caller frees them. */
 char *mend_finding_text(const struct site *site, const struct finding *finding);
-char *mend_command_line(const struct site *site, const struct mend *mend);
+char *mend_to_command_text(const struct site *site, const struct mend *mend);
 
 #endif

@@ -75,7 +75,7 @@ has_all_runs_of(const struct site *site, const struct site *of)
 }
 
 static bool
-has_digest_of_material(const struct site *site, const struct material *m)
+does_digest_match_material(const struct site *site, const struct material *m)
 {
 	return strtoull(m->site_digest, NULL, 16) == site->digest;
 }
@@ -105,7 +105,7 @@ runs_and_speeds_text(const struct site *site)
 }
 
 static char *
-material_contents_text(const struct material *m)
+material_runs_or_params_text(const struct material *m)
 {
 	struct fit_record b;
 	bool runs = fit_record_from_material(m, &b, NULL);
@@ -133,7 +133,7 @@ set_calibration_from_record(struct entry *entry, const struct fit_record *b,
 	history_release(entry->history);
 	entry->history = h;
 	origin_release(entry->origin);
-	entry->origin = origin_of_remembered_fit(entry, m);
+	entry->origin = origin_new_of_remembered_fit(entry, m);
 }
 
 static void
@@ -144,7 +144,7 @@ set_params_from_material(
 	entry->has_params = true;
 	entry->has_fit = false;
 	origin_release(entry->origin);
-	entry->origin = origin_from_store(m);
+	entry->origin = origin_new_from_store(m);
 	entry->origin->history = h;
 }
 
@@ -177,13 +177,13 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 		session_add_site(s, now);
 		*index = s->current;
 	} else {
-		session_adopt_unloaded_site(s, now);
+		session_take_ownership_of_site(s, now);
 	}
 	if (now != b.then)
-		session_adopt_unloaded_site(s, b.then);
+		session_take_ownership_of_site(s, b.then);
 	struct entry *entry = &s->entry[*index];
 	/* A site made by synth has more digits than its sheet. */
-	bool made = b.now == NULL && has_digest_of_material(entry->site, m);
+	bool made = b.now == NULL && does_digest_match_material(entry->site, m);
 	struct history *h = history_new(
 	    &b.fit, &b.bounds, b.weight, made ? entry->site : b.then, b.train);
 	h->stop = s->hooks.stop;
@@ -196,14 +196,14 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 		set_calibration_from_record(entry, &b, m, h);
 	else
 		set_params_from_material(entry, m, h);
-	session_forget_answers(s);
+	session_remove_answers(s);
 	free(b.train);
 	return own ? RECALL_OWN : RECALL_OTHER;
 }
 
 /* Returns "fit", "set by hand" or "Table 3". */
 static const char *
-material_origin_text(const struct material *m)
+material_params_origin_text(const struct material *m)
 {
 	return material_is_table3(m)           ? "Table 3"
 	       : strcmp(m->origin, "fit") == 0 ? "fit"
@@ -218,26 +218,26 @@ struct spelling {
 };
 
 static void
-keep_nearest_material_name(void *data, const char *name)
+update_nearest_material_name(void *data, const char *name)
 {
 	struct spelling *s = data;
 	bool paper = material_is_table3_name(name);
 	size_t d = text_edit_distance(name + (paper ? 7 : 0), s->typed);
 	if (d >= s->least)
 		return;
-	xreplace(&s->best, xstrdup(name));
+	xfree_and_set(&s->best, xstrdup(name));
 	s->least = d;
 }
 
 static bool
-fail_without_material(struct store *store, const struct material_list *paper,
-    const char *name, struct error *error)
+suggest_material_in_error(struct store *store,
+    const struct material_list *paper, const char *name, struct error *error)
 {
 	struct spelling s = {name, xstrdup(""), 3};
-	bool ok = store_visit_words(
-	    store, STORE_NAMES, keep_nearest_material_name, &s, error);
+	bool ok = store_visit_names_or_rocks(
+	    store, STORE_NAMES, update_nearest_material_name, &s, error);
 	for (size_t i = 0; i < paper->n; i++)
-		keep_nearest_material_name(&s, paper->item[i].name);
+		update_nearest_material_name(&s, paper->item[i].name);
 	if (ok)
 		error_set(error, ERROR_USAGE,
 		    s.least < 3 ? "the store has no material '%s'\n"
@@ -260,18 +260,18 @@ find_material_by_name(struct store *store, const char *name,
 	const struct store_query query = {.name = name};
 	if (!store_find_materials(store, &query, list, error))
 		return false;
-	material_add_table3(list);
+	material_add_table3_to_list(list);
 	*found = material_find(list, name);
 	if (*found == NULL) {
 		FREED char *paper = xasprintf("table3/%s", name);
 		*found = material_find(list, paper);
 	}
 	return *found != NULL ||
-	       fail_without_material(store, list, name, error);
+	       suggest_material_in_error(store, list, name, error);
 }
 
 static void
-set_trimmed_text(char **text, char *value)
+replace_text_by_trimmed_value(char **text, char *value)
 {
 	char *trimmed = xstrdup(text_trim(value));
 	free(value);
@@ -282,19 +282,19 @@ set_trimmed_text(char **text, char *value)
 static void
 set_trimmed_copy(char **text, const char *value)
 {
-	set_trimmed_text(text, xstrdup(value));
+	replace_text_by_trimmed_value(text, xstrdup(value));
 }
 
 static void
 set_material_fit_fields(struct material *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	set_trimmed_text(&m->basis, fit_record_text(entry));
+	replace_text_by_trimmed_value(&m->basis, fit_record_text(entry));
 	set_trimmed_copy(&m->options, entry->options);
 	set_trimmed_copy(&m->stop, calibrate_state_name(fit->stop));
 	m->misfit = fit->misfit;
 	m->rmse_pct = 100 * fit->rmse;
-	m->holdout_pct = 100 * fit_holdout_rmse(entry);
+	m->holdout_pct = 100 * fit_largest_holdout_rmse(entry);
 	m->seed = (int64_t)fit->seed;
 	m->generations = (int64_t)fit->generations;
 }
@@ -310,25 +310,25 @@ set_material_origin_fields(struct material *m, const struct entry *entry)
 	for (size_t i = 0; i < o->n_speed; i++)
 		xappend_to_list(&speeds, ",", "%s",
 		    text_shortest_exact_number(o->speed[i], number));
-	set_trimmed_text(&m->train_mps, speeds);
+	replace_text_by_trimmed_value(&m->train_mps, speeds);
 	set_trimmed_copy(
 	    &m->provenance, own ? entry->site->provenance : o->provenance);
-	set_trimmed_text(&m->site_digest,
+	replace_text_by_trimmed_value(&m->site_digest,
 	    xasprintf("%016" PRIx64, own ? entry->site->digest : o->digest));
 	set_trimmed_copy(&m->note, own ? "" : o->words);
 	if (own && site_assumed_top_size(entry->site) > 0)
-		set_trimmed_text(
+		replace_text_by_trimmed_value(
 		    &m->note, xasprintf(SITE_ASSUMED_TOP " %g",
 				  site_assumed_top_size(entry->site)));
 }
 
 static struct material
-make_material_from_entry(const struct session *s, const struct entry *entry)
+make_material_of_loaded_site(const struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	const struct model_settings *settings =
 	    entry->has_fit ? &entry->fit.settings : &s->set.model;
-	struct material m = material_empty();
+	struct material m = material_make_empty();
 	set_trimmed_copy(&m.site, site->name);
 	set_trimmed_copy(&m.rock, site->rock);
 	set_trimmed_copy(&m.machine, site->machine);
@@ -337,7 +337,8 @@ make_material_from_entry(const struct session *s, const struct entry *entry)
 	set_trimmed_copy(&m.method, answers_method_name(settings->method));
 	set_trimmed_copy(&m.appearance, APPEARANCE_NAMES[settings->appearance]);
 	set_trimmed_copy(&m.version, PACKAGE_VERSION);
-	m.top_size_mm = site->top_size > 0 ? units_mm(site->top_size) : NAN;
+	m.top_size_mm =
+	    site->top_size > 0 ? units_m_to_mm(site->top_size) : NAN;
 	m.k = settings->k;
 	m.params = entry->params;
 	if (entry->has_fit)
@@ -369,7 +370,7 @@ check_can_remember(
 	if (args->date != NULL && !datetime_is_iso_date(args->date))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", args->date);
-	return args->note == NULL || material_is_printable_line(args->note) ||
+	return args->note == NULL || material_is_text_printable(args->note) ||
 	       error_set(error, ERROR_USAGE,
 		   "note: expected one line without control characters");
 }
@@ -394,7 +395,7 @@ note_materials_with_same_runs(
 		    strcmp(other->site_digest, m->site_digest) != 0)
 			continue;
 		FREED char *line = xstrdup("forget");
-		journal_append_word(&line, other->name);
+		journal_append_quoted_word(&line, other->name);
 		answer_note(r,
 		    "the store also has these runs as %s, remembered on %s: "
 		    "'%s' removes that",
@@ -411,18 +412,20 @@ show_remembered_materials(
 	struct answer *r = answer_new("remember");
 	FREED char *about = xstrdup("");
 	if (n == 1)
-		answer_title(r, "remembered %s", item->name);
+		answer_set_title(r, "remembered %s", item->name);
 	else
-		answer_title(r, "remembered %zu materials", n);
-	answer_columns(r, "name, origin, data, rmse_pct: RMSE, holdout_pct: "
-			  "hold-out RMSE, date");
+		answer_set_title(r, "remembered %zu materials", n);
+	answer_add_columns(r,
+	    "name, origin, data, rmse_pct: RMSE, holdout_pct: "
+	    "hold-out RMSE, date");
 	for (size_t i = 0; i < n; i++) {
 		const struct material *m = &item[i];
 		if (strstr(about, m->provenance) == NULL)
 			xappend_to_list(&about, "; ", "%s", m->provenance);
 		answer_add_cells(r, "%s %s %s %.2f %.2f %s", m->name,
-		    material_origin_text(m), tr(site_data_kind(m->provenance)),
-		    m->rmse_pct, m->holdout_pct, m->date);
+		    material_params_origin_text(m),
+		    tr(site_data_kind(m->provenance)), m->rmse_pct,
+		    m->holdout_pct, m->date);
 	}
 	if (n == 1)
 		answer_set_site(r, item->site, item->provenance);
@@ -431,7 +434,7 @@ show_remembered_materials(
 	answer_note(r, "in %s", store_path(s->store));
 	if (n == 1) {
 		FREED char *line = xstrdup("recall");
-		journal_append_word(&line, item->name);
+		journal_append_quoted_word(&line, item->name);
 		answer_note(r, "'%s' brings it back at any time", line);
 		if (can_ask_to_confirm(s))
 			note_materials_with_same_runs(s, r, item);
@@ -447,17 +450,17 @@ show_remembered_materials(
 /* Adds an entry's calibration to the list as a material with that name.
  * Returns false with an error if it cannot be remembered. */
 static bool
-add_entry_as_material(struct session *s, const struct entry *entry,
+add_loaded_site_as_material(struct session *s, const struct entry *entry,
     const char *name, const struct args *args, struct material_list *list,
     struct error *error)
 {
 	if (!check_can_remember(entry, args, error) ||
 	    !material_check_name(name, error))
 		return false;
-	struct material m = make_material_from_entry(s, entry);
+	struct material m = make_material_of_loaded_site(s, entry);
 	set_trimmed_copy(&m.name, name);
-	set_trimmed_text(&m.date,
-	    args->date != NULL ? xstrdup(args->date) : datetime_today());
+	replace_text_by_trimmed_value(&m.date,
+	    args->date != NULL ? xstrdup(args->date) : datetime_today_text());
 	if (args->note != NULL)
 		set_trimmed_copy(&m.note, args->note);
 	material_list_add(list, m);
@@ -465,12 +468,12 @@ add_entry_as_material(struct session *s, const struct entry *entry,
 }
 
 static bool
-add_calibrated_as_materials(struct session *s, const struct args *args,
+add_calibrated_sites_as_materials(struct session *s, const struct args *args,
     struct material_list *list, struct error *error)
 {
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		if (entry->has_fit && !add_entry_as_material(s, entry,
+		if (entry->has_fit && !add_loaded_site_as_material(s, entry,
 					  entry->key, args, list, error))
 			return false;
 	}
@@ -485,14 +488,14 @@ find_free_material_name(struct session *s, const char *name)
 {
 	char *other = xasprintf("%s-2", name);
 	for (size_t i = 3; store_has_material(s->store, other); i++)
-		xreplace(&other, xasprintf("%s-%zu", name, i));
+		xfree_and_set(&other, xasprintf("%s-%zu", name, i));
 	return other;
 }
 
 /* Describes what would replace a material.  old: the site with the material's
  * runs, or NULL if it has only parameters. */
 static char *
-replacement_text(const struct entry *entry, const struct site *old)
+material_replacement_text(const struct entry *entry, const struct site *old)
 {
 	FREED char *runs = runs_and_speeds_text(entry->site);
 	if (!entry->has_fit)
@@ -500,7 +503,7 @@ replacement_text(const struct entry *entry, const struct site *old)
 	if (old == NULL)
 		return xstrdup(runs);
 	bool grown = has_all_runs_of(entry->site, old);
-	bool same = text_same_folded(entry->site->name, old->name);
+	bool same = text_is_same_folded(entry->site->name, old->name);
 	size_t more = grown ? entry->site->n_run - old->n_run : 0;
 	return more > 0 ? xasprintf(tr_n("these runs and %zu more",
 					"these runs and %zu more", more),
@@ -523,8 +526,8 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 	bool earlier =
 	    runs && entry->has_fit && has_all_runs_of(entry->site, site) &&
 	    model_settings_are_same(&b.fit.settings, &entry->fit.settings);
-	FREED char *old = material_contents_text(m);
-	FREED char *new = replacement_text(entry, runs ? site : NULL);
+	FREED char *old = material_runs_or_params_text(m);
+	FREED char *new = material_replacement_text(entry, runs ? site : NULL);
 	FREED char *question =
 	    xasprintf(tr("the store has %s: %s, remembered on %s; replace it "
 			 "by %s?"),
@@ -534,7 +537,7 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 		return true;
 	FREED char *free_name = find_free_material_name(s, m->name);
 	FREED char *line = xstrdup("remember");
-	journal_append_word(&line, free_name);
+	journal_append_quoted_word(&line, free_name);
 	return error_set(error, ERROR_USAGE,
 	    "nothing was remembered now: the store still has %s, %s, "
 	    "remembered on %s\n"
@@ -543,7 +546,7 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 }
 
 /* Asks the user whether to replace materials that the store has already, and
- * sets *replace.  In scripts it does not ask, and store_put_materials
+ * sets *replace.  In scripts it does not ask, and store_save_materials
  * refuses. */
 static bool
 ask_to_replace_materials(struct session *s, const struct material_list *list,
@@ -558,7 +561,7 @@ ask_to_replace_materials(struct session *s, const struct material_list *list,
 	bool wanted = asks && !*replace && own.n > 0;
 	if (wanted && list->n == 1) {
 		*replace = ask_to_replace_material(
-		    s, session_current_entry(s), &own.item[0], error);
+		    s, session_current_site_entry(s), &own.item[0], error);
 	} else if (wanted) {
 		FREED char *question = xasprintf(
 		    tr("the store has %s and maybe others of these: replace "
@@ -577,19 +580,19 @@ ask_to_replace_materials(struct session *s, const struct material_list *list,
 bool
 cmd_remember(struct session *s, const struct args *args, struct error *error)
 {
-	struct entry *entry = session_current_entry(s);
+	struct entry *entry = session_current_site_entry(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
 	bool all = strcmp(name, "all") == 0 && args->n_operand > 0;
 	bool replace = args->replace;
 	struct material_list list = {0};
-	bool ok =
-	    all ? add_calibrated_as_materials(s, args, &list, error)
-		: add_entry_as_material(s, entry, name, args, &list, error);
+	bool ok = all ? add_calibrated_sites_as_materials(s, args, &list, error)
+		      : add_loaded_site_as_material(
+			    s, entry, name, args, &list, error);
 	ok = ok && ask_to_replace_materials(s, &list, &replace, error) &&
-	     store_put_materials(s->store, list.item, list.n, replace, error);
+	     store_save_materials(s->store, list.item, list.n, replace, error);
 	for (size_t i = 0; ok && i < s->n_entry; i++)
 		if (all || &s->entry[i] == entry) {
-			xreplace(&s->entry[i].remembered,
+			xfree_and_set(&s->entry[i].remembered,
 			    xstrdup(all ? s->entry[i].key : name));
 			s->entry[i].new_cuts = 0;
 		}
@@ -604,16 +607,16 @@ static void
 note_recalled_params(
     struct session *s, const struct entry *entry, const struct material *m)
 {
-	session_note(s, "%s: parameters from store: %s (%s, %s; %s)",
+	session_print_note(s, "%s: parameters from store: %s (%s, %s; %s)",
 	    entry->site->name, m->name, m->site,
 	    m->rock[0] != '\0' ? m->rock : tr("rock not stated"),
-	    material_origin_text(m));
+	    material_params_origin_text(m));
 	const struct origin *o = entry->origin;
-	FREED char *details = origin_training_text(o);
+	FREED char *details = origin_training_speeds_text(o);
 	bool same = o->found && o->digest == entry->site->digest;
 	bool place = !same && m->basis[0] != '\0' &&
-		     text_same_folded(m->site, entry->site->name);
-	session_note(s,
+		     text_is_same_folded(m->site, entry->site->name);
+	session_print_note(s,
 	    same    ? N_("  calibrated on the same data as this site (%s)")
 	    : place ? N_("  not calibrated on the runs of this sheet (%s)")
 		    : N_("  not calibrated on this site (%s)"),
@@ -621,10 +624,10 @@ note_recalled_params(
 	if (!place || entry->site->path[0] == '\0')
 		return;
 	FREED char *line = xasprintf("drop %s; recall", entry->key);
-	journal_append_word(&line, m->name);
+	journal_append_quoted_word(&line, m->name);
 	xappend(&line, "; add");
-	journal_append_word(&line, entry->site->path);
-	session_note(s,
+	journal_append_quoted_word(&line, entry->site->path);
+	session_print_note(s,
 	    "  'calibrate' fits this sheet alone; to compare it with what was "
 	    "remembered: %s",
 	    line);
@@ -633,7 +636,7 @@ note_recalled_params(
 /* True if the calibration included all runs of the site, and all of them
  * correct its answers. */
 static bool
-do_all_cuts_correct_answers(const struct session *s, const struct entry *entry)
+is_corrected_by_all_runs(const struct session *s, const struct entry *entry)
 {
 	return entry->history != NULL &&
 	       entry->history->site->digest == entry->site->digest &&
@@ -644,16 +647,17 @@ do_all_cuts_correct_answers(const struct session *s, const struct entry *entry)
  * cuts added, and what was assumed.  Does not say how the sheet's columns were
  * read, because that would not mention added runs. */
 static void
-note_recalled_runs(struct session *s, const struct entry *entry)
+note_recalled_site_data(struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	const char *last = "";
 	size_t sieves, cuts = 0;
 	free(site_all_sieves(site, &sieves));
 	FREED char *train =
-	    session_run_speeds_text(site, ", ", entry->train, true);
-	FREED char *rpm = session_run_rpm_in_brackets(site, entry->train, true);
-	session_note(s,
+	    session_speeds_of_runs_text(site, ", ", entry->train, true);
+	FREED char *rpm =
+	    session_rpm_of_runs_in_brackets(site, entry->train, true);
+	session_print_note(s,
 	    site->individual_feeds
 		? N_("  a feed for each run, %zu sieves; calibrated on %s "
 		     "m/s%s")
@@ -666,8 +670,8 @@ note_recalled_runs(struct session *s, const struct entry *entry)
 			cuts++;
 		}
 	if (cuts > 0)
-		session_note(s,
-		    do_all_cuts_correct_answers(s, entry)
+		session_print_note(s,
+		    is_corrected_by_all_runs(s, entry)
 			? tr_n(
 			      "  %zu cut added and included in the answers: %s",
 			      "  %zu cuts added and included in the answers; "
@@ -677,7 +681,8 @@ note_recalled_runs(struct session *s, const struct entry *entry)
 			      "  %zu cuts added since, the last: %s", cuts),
 		    cuts, last);
 	if (site->assumed[0] != '\0')
-		session_note(s, "  likely, not stated: %s", site->assumed);
+		session_print_note(
+		    s, "  likely, not stated: %s", site->assumed);
 }
 
 static void
@@ -685,17 +690,19 @@ note_recalled_site(struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, false);
-	FREED char *rpm = session_run_rpm_in_brackets(site, NULL, false);
+	FREED char *speeds =
+	    session_speeds_of_runs_text(site, ", ", NULL, false);
+	FREED char *rpm = session_rpm_of_runs_in_brackets(site, NULL, false);
 	if (site_count_products(site) > 0)
-		session_note(s,
+		session_print_note(s,
 		    tr_n("%s: %zu run at %s m/s%s, %s",
 			"%s: %zu runs at %s m/s%s, %s", site->n_run),
-		    label, site->n_run, speeds, rpm, origin_source_text(entry));
+		    label, site->n_run, speeds, rpm,
+		    origin_of_params_text(entry));
 	else
-		session_note(s, "%s: a feed, no product, %s", label,
-		    origin_source_text(entry));
-	note_recalled_runs(s, entry);
+		session_print_note(s, "%s: a feed, no product, %s", label,
+		    origin_of_params_text(entry));
+	note_recalled_site_data(s, entry);
 }
 
 /* Notes what was recalled, and whether its calibration had other settings. */
@@ -709,13 +716,14 @@ note_recalled_material(
 	else
 		note_recalled_params(s, entry, m);
 	if (!model_settings_are_same(&set_to, &s->set.model))
-		session_note(s,
+		session_print_note(s,
 		    "  the parameters were calibrated with other settings: run "
 		    "set "
 		    "method=%s appearance=%s k=%g",
 		    m->method, m->appearance, m->k);
 	if (material_is_table3(m))
-		session_note(s, "  Table 3 has no beta: the default is used");
+		session_print_note(
+		    s, "  Table 3 has no beta: the default is used");
 }
 
 /* Returns false with an error if digest= is given and differs.  If it is not
@@ -726,9 +734,10 @@ check_recalled_digest(struct session *s, const struct args *args,
 {
 	const char *wanted = args->digest;
 	char found[17];
-	snprintf(found, sizeof found, "%016" PRIx64, material_make_digest(m));
+	snprintf(
+	    found, sizeof found, "%016" PRIx64, material_compute_digest(m));
 	if (wanted == NULL)
-		invocation_journal_options(s, " digest=%s", found);
+		invocation_add_journal_options(s, " digest=%s", found);
 	if (wanted == NULL || strcmp(wanted, found) == 0)
 		return true;
 	return error_set(error, ERROR_DATA,
@@ -752,28 +761,28 @@ recall_params_and_runs(struct session *s, const struct material *m,
 		return false;
 	struct entry *entry = &s->entry[index];
 	if (how == RECALL_WITHOUT_RUNS)
-		set_site_params(s, entry, &m->params, origin_from_store(m));
+		set_site_params(s, entry, &m->params, origin_new_from_store(m));
 	note_recalled_material(s, entry, m);
 	return true;
 }
 
 static bool
-has_name_in_list(const char *names, const char *name)
+is_name_in_list(const char *names, const char *name)
 {
 	FREED char *all = xasprintf(", %s,", names);
 	FREED char *one = xasprintf(", %s,", name);
-	return text_contains_word(all, one);
+	return text_contains_folded(all, one);
 }
 
 /* Returns the materials for an error: "pit (3 runs at 69 to 79 m/s,
  * 2026-11-24); ..". */
 static char *
-materials_text(const struct material_list *list)
+materials_list_text(const struct material_list *list)
 {
 	enum { MOST = 6 };
 	char *words = xstrdup("");
 	for (size_t i = 0; i < list->n && i < MOST; i++) {
-		FREED char *runs = material_contents_text(&list->item[i]);
+		FREED char *runs = material_runs_or_params_text(&list->item[i]);
 		xappend_to_list(&words, "; ", "%s (%s, %s)", list->item[i].name,
 		    runs, list->item[i].date);
 	}
@@ -793,8 +802,8 @@ find_material_of_site(const struct session *s, const struct material_list *list)
 	const struct entry *entry = &s->entry[s->current];
 	for (size_t i = 0; i < list->n; i++) {
 		const struct material *m = &list->item[i];
-		bool is_named = text_same_folded(m->name, entry->key);
-		if (has_digest_of_material(entry->site, m) &&
+		bool is_named = text_is_same_folded(m->name, entry->key);
+		if (does_digest_match_material(entry->site, m) &&
 		    (same == NULL || is_named))
 			same = m;
 		named = is_named ? m : named;
@@ -817,7 +826,7 @@ choose_name_to_recall(struct session *s, struct error *error)
 	if (m != NULL) {
 		name = xstrdup(m->name);
 	} else if (list.n > 0) {
-		FREED char *words = materials_text(&list);
+		FREED char *words = materials_list_text(&list);
 		error_set(error, ERROR_USAGE,
 		    "recall: expected the name of what was remembered: %s\n"
 		    "for instance: recall %s",
@@ -854,7 +863,7 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 /* Returns commands that would store the parameters again, without their origin:
  * "params set beta1=.. ..; remember NAME". */
 static char *
-commands_to_store_again(const struct material *m)
+commands_to_store_params(const struct material *m)
 {
 	const struct breakage *of = breakage_model_of_params(&m->params);
 	char *line = m->params.breakage > 0
@@ -872,11 +881,11 @@ static void
 show_forgotten_material(struct session *s, const struct material *m)
 {
 	struct answer *r = answer_new("forget");
-	FREED char *line = commands_to_store_again(m);
-	answer_title(r, "forgot %s: %s of %s", m->name, material_origin_text(m),
-	    m->site);
+	FREED char *line = commands_to_store_params(m);
+	answer_set_title(r, "forgot %s: %s of %s", m->name,
+	    material_params_origin_text(m), m->site);
 	answer_set_site(r, m->site, m->provenance);
-	answer_columns(r, "again: to bring its parameters back");
+	answer_add_columns(r, "again: to bring its parameters back");
 	answer_add_cells(r, "%s", line);
 	session_show_answer(s, r);
 }
@@ -894,7 +903,8 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	if (ok && m != NULL)
 		show_forgotten_material(s, m);
 	else if (ok)
-		session_note(s, "forgot %s, which could not be read", name);
+		session_print_note(
+		    s, "forgot %s, which could not be read", name);
 	material_list_free(&list);
 	if (!ok && material_is_table3_name(name))
 		error_set(error, ERROR_USAGE,
@@ -913,8 +923,8 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 		  store_list_materials(s->store, &list, error) &&
 		  store_csv_write_file(&list, path, error);
 	if (ok) {
-		files_note_written(s, path);
-		session_note(s,
+		files_record_written(s, path);
+		session_print_note(s,
 		    tr_n("wrote %s: %zu material of your own",
 			"wrote %s: %zu materials of your own", list.n),
 		    path, list.n);
@@ -930,14 +940,14 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct material_list there = {0}, list = {0};
 	bool ok = store_list_materials(s->store, &there, error);
-	files_note_read(s, path);
+	files_record_read(s, path);
 	if (ok && !store_csv_read_file(
 		      path, args->replace ? NULL : &there, &list, &errors))
 		ok = session_report_file_faults(s, path, &errors, error);
-	ok = ok && store_put_materials(
+	ok = ok && store_save_materials(
 		       s->store, list.item, list.n, args->replace, error);
 	if (ok)
-		session_note(s,
+		session_print_note(s,
 		    tr_n("imported %zu material from %s",
 			"imported %zu materials from %s", list.n),
 		    list.n, path);
@@ -948,7 +958,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 
 /* Top sizes are nominal: they match within 5 %, so that 11 finds 11.2. */
 static bool
-has_material_top_size(const struct material *m, double top_mm)
+is_material_of_top_size(const struct material *m, double top_mm)
 {
 	return fabs(m->top_size_mm - top_mm) <= 0.05 * top_mm;
 }
@@ -956,10 +966,11 @@ has_material_top_size(const struct material *m, double top_mm)
 enum { ALL, TABLE3, OWN };
 
 static bool
-is_material_asked_for(const struct material *m, const struct args *args)
+does_material_match_options(const struct material *m, const struct args *args)
 {
-	return (args->rock == NULL || text_same_folded(m->rock, args->rock)) &&
-	       (!(args->top > 0) || has_material_top_size(m, args->top)) &&
+	return (args->rock == NULL ||
+		   text_is_same_folded(m->rock, args->rock)) &&
+	       (!(args->top > 0) || is_material_of_top_size(m, args->top)) &&
 	       (args->origin == ALL ||
 		   (args->origin == TABLE3) == material_is_table3(m));
 }
@@ -970,15 +981,15 @@ add_material_row(struct answer *r, const struct material *m)
 	answer_add_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
 	    m->top_size_mm, params_value_by_name(&m->params, "f_mat"),
 	    params_value_by_name(&m->params, "e0_min"),
-	    params_value_by_name(&m->params, "alpha"), material_origin_text(m),
-	    tr(site_data_kind(m->provenance)));
+	    params_value_by_name(&m->params, "alpha"),
+	    material_params_origin_text(m), tr(site_data_kind(m->provenance)));
 }
 
 static void
 add_rock_unless_listed(void *data, const char *rock)
 {
 	char **rocks = data;
-	if (rock[0] != '\0' && !has_name_in_list(*rocks, rock))
+	if (rock[0] != '\0' && !is_name_in_list(*rocks, rock))
 		xappend_to_list(rocks, ", ", "%s", rock);
 }
 
@@ -988,7 +999,7 @@ note_available_rocks(struct answer *r, struct store *store,
     const struct material_list *paper, struct error *error)
 {
 	FREED char *rocks = xstrdup("");
-	bool ok = store_visit_words(
+	bool ok = store_visit_names_or_rocks(
 	    store, STORE_ROCKS, add_rock_unless_listed, &rocks, error);
 	for (size_t i = 0; i < paper->n; i++)
 		add_rock_unless_listed(&rocks, paper->item[i].rock);
@@ -1015,12 +1026,12 @@ build_materials_answer(
 	*n = 0;
 	for (size_t i = 0; i < list->n; i++)
 		models = models || list->item[i].params.breakage > 0;
-	answer_columns(r, "name, rock, top_size_mm: top mm, f_mat, e0_min, "
-			  "alpha, origin, data");
+	answer_add_columns(r, "name, rock, top_size_mm: top mm, f_mat, e0_min, "
+			      "alpha, origin, data");
 	if (models)
-		answer_columns(r, "model: model");
+		answer_add_columns(r, "model: model");
 	for (size_t i = 0; i < list->n; i++) {
-		if (!is_material_asked_for(&list->item[i], args))
+		if (!does_material_match_options(&list->item[i], args))
 			continue;
 		add_material_row(r, &list->item[i]);
 		if (models)
@@ -1052,18 +1063,18 @@ build_table3_answer(const struct session *s, const struct args *args,
 	*n = 0;
 	if (s->screen.columns == 0 || s->screen.columns >= WIDE)
 		answer_set_width(r, WIDE);
-	answer_columns(r, "name, site, rock, top_size_mm: top mm, f_mat, "
-			  "e0_min, alpha, feed_source: feeds");
+	answer_add_columns(r, "name, site, rock, top_size_mm: top mm, f_mat, "
+			      "e0_min, alpha, feed_source: feeds");
 	for (size_t i = 0; i < paper->n; i++)
-		if (is_material_asked_for(&paper->item[i], args)) {
+		if (does_material_match_options(&paper->item[i], args)) {
 			add_printed_table3_row(r, &paper->item[i]);
 			++*n;
 		}
 	answer_begin_table_for_programs(r);
-	answer_columns(r, "name, rock, top_size_mm, f_mat, e0_min, alpha, "
-			  "origin, data, site, feed_source");
+	answer_add_columns(r, "name, rock, top_size_mm, f_mat, e0_min, alpha, "
+			      "origin, data, site, feed_source");
 	for (size_t i = 0; i < paper->n; i++)
-		if (is_material_asked_for(&paper->item[i], args)) {
+		if (does_material_match_options(&paper->item[i], args)) {
 			add_material_row(r, &paper->item[i]);
 			answer_add_cells(r, "%s %s", paper->item[i].site,
 			    paper->item[i].feed_source);
@@ -1078,11 +1089,11 @@ show_materials_list(
 	struct material_list list = {0}, paper = {0};
 	struct store_query query = query_of_materials(args);
 	size_t n, own = 0;
-	material_add_table3(&paper);
+	material_add_table3_to_list(&paper);
 	bool ok = store_count_materials(s->store, &own, error) &&
 		  store_find_materials(s->store, &query, &list, error);
 	size_t listed = list.n;
-	material_add_table3(&list);
+	material_add_table3_to_list(&list);
 	bool printed = args->origin == TABLE3;
 	struct answer *r = printed ? build_table3_answer(s, args, &paper, &n)
 				   : build_materials_answer(args, &list, &n);
@@ -1090,7 +1101,7 @@ show_materials_list(
 	    own + paper.n, own, store_path(s->store));
 	answer_note(r, "Table 3 is the paper's, and read only");
 	if (n > 0 && query.first > 0 && listed == query.first)
-		answer_say(r, ANSWER_REMARK,
+		answer_add_sentence(r, ANSWER_REMARK,
 		    "only the first %zu of your own: 'materials most=0' lists "
 		    "all",
 		    listed);
@@ -1118,9 +1129,9 @@ static void
 show_material_fields(struct session *s, const struct material *m)
 {
 	struct answer *r = answer_new("materials");
-	answer_title(r, "%s: %s", m->name, material_origin_text(m));
+	answer_set_title(r, "%s: %s", m->name, material_params_origin_text(m));
 	answer_set_site(r, m->site, m->provenance);
-	answer_columns(r, "field, value");
+	answer_add_columns(r, "field, value");
 	material_visit_fields(m, add_stored_field_row, r);
 	session_show_answer(s, r);
 }
@@ -1134,23 +1145,25 @@ show_store_summary(
 	size_t own;
 	if (!store_count_materials(s->store, &own, error))
 		return false;
-	material_add_table3(&all);
+	material_add_table3_to_list(&all);
 	const char *path = store_path(s->store);
-	int64_t bytes = store_file_bytes(s->store);
+	int64_t bytes = store_file_size(s->store);
 	struct answer *r = answer_new("show");
-	answer_title(r, "the store of materials");
-	answer_columns(r, "what, value");
-	answer_add_pair(r, "place", "%s", path);
+	answer_set_title(r, "the store of materials");
+	answer_add_columns(r, "what, value");
+	answer_add_name_value_row(r, "place", "%s", path);
 	if (strcmp(path, ":memory:") == 0)
-		answer_add_pair(r, "file", "none: kept until the session ends");
+		answer_add_name_value_row(
+		    r, "file", "none: kept until the session ends");
 	else if (bytes < 0)
-		answer_add_pair(
+		answer_add_name_value_row(
 		    r, "file", "none yet: the first 'remember' creates it");
 	else
-		answer_add_pair(r, "file", "%" PRId64 " bytes", bytes);
-	answer_add_pair(r, "schema", "%d", STORE_SCHEMA);
-	answer_add_pair(r, "own materials", "%zu", own);
-	answer_add_pair(r, "of Table 3", "%zu, read only", all.n);
+		answer_add_name_value_row(
+		    r, "file", "%" PRId64 " bytes", bytes);
+	answer_add_name_value_row(r, "schema", "%d", STORE_SCHEMA);
+	answer_add_name_value_row(r, "own materials", "%zu", own);
+	answer_add_name_value_row(r, "of Table 3", "%zu, read only", all.n);
 	answer_note(r, "run 'materials' to list them");
 	material_list_free(&all);
 	return session_show_answer(s, r);

@@ -37,14 +37,14 @@ static void
 write_template_remark(const struct form *f, const char *text)
 {
 	FREED char *line = xasprintf("# %s", text);
-	text_write_sheet_cell(line, f->separator, f->sheet);
+	text_write_csv_cell(line, f->separator, f->sheet);
 	fputc('\n', f->sheet);
 }
 
 /* Writes a row for each sieve, with an empty cell for each column.  Returns the
  * number of rows. */
 static size_t
-write_rows_of_sieves(
+write_template_sieve_rows(
     const struct form *f, const struct number_list *sieves, size_t columns)
 {
 	size_t n = sieves->n > 0 ? sieves->n : ARRAY_LEN(SIEVES);
@@ -91,7 +91,8 @@ write_sieve_template(const struct form *f, const struct args *args)
 		text_write_csv_number(speeds->at[i], f->separator, f->sheet);
 	}
 	fputc('\n', f->sheet);
-	size_t rows = write_rows_of_sieves(f, &args->sieves, speeds->n + 1);
+	size_t rows =
+	    write_template_sieve_rows(f, &args->sieves, speeds->n + 1);
 	if (!grams)
 		return rows;
 	fputs("pan", f->sheet);
@@ -116,6 +117,6 @@ cmd_template(struct session *s, const struct args *args, struct error *error)
 	f = (struct form){',', text_open_memory(&text, &n)};
 	s->rows += write_sieve_template(&f, args);
 	fclose(f.sheet);
-	book_add_text(s->book, "template", text);
+	book_add_text_worksheet(s->book, "template", text);
 	return true;
 }

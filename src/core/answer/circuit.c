@@ -225,7 +225,7 @@ pass_through_crusher(
 
 /* Computes one unit.  Returns the change of the streams that close loops. */
 static double
-compute_circuit_unit(struct circuit_solver *s, size_t u, size_t draw)
+compute_circuit_unit_outputs(struct circuit_solver *s, size_t u, size_t draw)
 {
 	const struct unit *unit = &s->c->unit[u];
 	double change = 0;
@@ -267,8 +267,8 @@ circuit_solve(struct circuit_solver *s, size_t draw)
 	for (size_t pass = 1; pass <= CIRCUIT_PASSES; pass++) {
 		double change = 0;
 		for (size_t k = s->walk.first; k < s->c->n_unit; k++)
-			change +=
-			    compute_circuit_unit(s, s->walk.order[k], draw);
+			change += compute_circuit_unit_outputs(
+			    s, s->walk.order[k], draw);
 		since = change < least ? 0 : since + 1;
 		least = fmin(least, change);
 		if (change <= steady * s->c->tph ||
@@ -279,8 +279,8 @@ circuit_solve(struct circuit_solver *s, size_t draw)
 }
 
 static void
-flow_add_draw(struct flow *flow, const struct circuit_solver *s, size_t draw,
-    size_t passes)
+flow_add_posterior_draw(struct flow *flow, const struct circuit_solver *s,
+    size_t draw, size_t passes)
 {
 	size_t n = s->classes;
 	double closing = s->c->tph,
@@ -357,7 +357,7 @@ circuit_compute_flow(const struct circuit *c, const double *feed,
 	/* After a draw that is not steady, the others are not computed, because
 	 * they would take as long. */
 	for (size_t d = 0; d < flow.draws && !flow.open; d++)
-		flow_add_draw(&flow, &s, d, circuit_solve(&s, d));
+		flow_add_posterior_draw(&flow, &s, d, circuit_solve(&s, d));
 	circuit_solver_free(&s);
 	return flow;
 }

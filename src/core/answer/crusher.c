@@ -49,16 +49,16 @@ struct transfer {
 };
 
 static struct feed_products
-open_feed_products(const struct crusher *c, const struct psd *feed,
+make_feed_product_model(const struct crusher *c, const struct psd *feed,
     const double *size, size_t n)
 {
 	struct feed_products of = {NULL, NULL};
 	if (c->posterior != NULL) {
 		of.draws = ensemble_new(c->posterior, feed, size, n);
-		ensemble_set_machine(of.draws, c->settings);
+		ensemble_set_machine_settings(of.draws, c->settings);
 	} else {
 		of.model = model_new(feed, size, n, c->settings);
-		model_use_params(of.model, &c->params);
+		model_set_params(of.model, &c->params);
 	}
 	return of;
 }
@@ -89,7 +89,7 @@ crusher_new(const double *size, size_t n, const struct params *p,
 	for (size_t i = 0; i + 1 < n; i++) {
 		double bounds[2] = {size[i], size[i + 1]}, all[2] = {1, 0};
 		struct psd feed = {2, bounds, all};
-		c->class[i] = open_feed_products(c, &feed, size, n);
+		c->class[i] = make_feed_product_model(c, &feed, size, n);
 	}
 	return c;
 }
@@ -111,7 +111,7 @@ crusher_free(struct crusher *c)
 }
 
 static void
-find_sizes_between_sieves(struct crusher *c)
+compute_interpolation_shares(struct crusher *c)
 {
 	for (size_t i = 0; i + 1 < c->n_sieve; i++) {
 		size_t a = c->at[i], b = c->at[i + 1];
@@ -137,8 +137,8 @@ crusher_set_feed(
 		known[c->n_sieve] = sieve[i];
 		c->at[c->n_sieve++] = k;
 	}
-	c->whole = open_feed_products(c, feed, known, c->n_sieve);
-	find_sizes_between_sieves(c);
+	c->whole = make_feed_product_model(c, feed, known, c->n_sieve);
+	compute_interpolation_shares(c);
 }
 
 /* Sums masses from the finest class on into below [n], which may be the array
@@ -157,7 +157,7 @@ cumulate_from_finest_class(const double *mass, size_t n, double *below)
 /* Sums the products of the classes of a feed: out [n] is what passes each size,
  * uncorrected, and t->feed what of the feed does.  Returns the feed's mass. */
 static double
-sum_products_of_classes(
+sum_progeny_of_feed_classes(
     const struct transfer *t, size_t draw, const double *in, double *out)
 {
 	size_t n = t->n;
@@ -174,17 +174,18 @@ sum_products_of_classes(
  * the sieves, from the finest on: the sum is limited by the prediction at the
  * next finer sieve, as correct_passings_of_product will limit it. */
 static void
-transfer_correct_draw(const struct crusher *c, struct transfer *t, size_t d,
-    const double *P, size_t apart, double *out)
+transfer_compute_draw_correction(const struct crusher *c, struct transfer *t,
+    size_t d, const double *P, size_t apart, double *out)
 {
 	double *more = t->more + d * c->n;
 	const double *delta = t->delta != NULL ? t->delta + d * c->n : NULL;
-	double finer = 0, total = sum_products_of_classes(t, d, c->feed, out);
+	double finer = 0,
+	       total = sum_progeny_of_feed_classes(t, d, c->feed, out);
 	for (size_t i = c->n_sieve; i-- > 0;) {
 		size_t k = c->at[i];
 		double raw = out[k], least = fmax(t->feed[k], finer);
 		if (delta != NULL)
-			raw = total * discrepancy_correct_passing(
+			raw = total * discrepancy_corrected_passing(
 					  raw / total, delta[k], least / total);
 		more[k] = P[i * apart] - raw;
 		finer = P[i * apart];
@@ -202,10 +203,11 @@ transfer_correct_to_prediction(struct crusher *c, struct transfer *t, double v)
 		ensemble_set_speed(c->whole.draws, v);
 		draws = ensemble_products(c->whole.draws, ENSEMBLE_ANSWER);
 	} else {
-		model_product(c->whole.model, v, P);
+		model_compute_product(c->whole.model, v, P);
 	}
 	for (size_t d = 0; d < t->draws; d++)
-		transfer_correct_draw(c, t, d, draws + d, t->draws, out);
+		transfer_compute_draw_correction(
+		    c, t, d, draws + d, t->draws, out);
 }
 
 struct transfer *
@@ -221,11 +223,12 @@ crusher_transfer_at_speed(struct crusher *c, double v)
 	memcpy(t->share, c->share, n * sizeof *t->share);
 	for (size_t i = 0; i + 1 < n; i++) {
 		if (c->posterior == NULL) {
-			model_product(c->class[i].model, v, t->passing + i * n);
+			model_compute_product(
+			    c->class[i].model, v, t->passing + i * n);
 			continue;
 		}
 		struct ensemble *draws = c->class[i].draws;
-		ensemble_set_speed_as_drawn(draws, v);
+		ensemble_set_speed_unconstrained(draws, v);
 		/* P has a row for each size, t->passing one for each draw. */
 		const double *P = ensemble_products(draws, ENSEMBLE_MODEL);
 		for (size_t d = 0; d < DRAWS; d++)
@@ -290,8 +293,9 @@ correct_passings_of_product(
 		double least = finer < n ? P[finer] : 0;
 		least = fmax(t->feed[i], least);
 		if (delta != NULL && total > 0)
-			P[i] = total * discrepancy_correct_passing(P[i] / total,
-					   delta[i], least / total);
+			P[i] =
+			    total * discrepancy_corrected_passing(
+					P[i] / total, delta[i], least / total);
 		if (more != NULL)
 			P[i] += total * more[i];
 		P[i] = fmin(fmax(P[i], least), total);
@@ -305,7 +309,8 @@ transfer_compute_product(
     const struct transfer *t, size_t draw, const double *in, double *out)
 {
 	size_t n = t->n;
-	double *below = out, total = sum_products_of_classes(t, draw, in, out);
+	double *below = out,
+	       total = sum_progeny_of_feed_classes(t, draw, in, out);
 	correct_passings_of_product(t, draw, total, below);
 	/* All mass passes the coarsest size: the coarsest class gets what
 	 * rounding lost. */

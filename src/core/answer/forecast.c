@@ -65,7 +65,8 @@ merge_sieve_and_asked_sizes(const struct psd *feed, const double *size,
 
 /* Finds where the sizes of the product lie among the sieves. */
 static void
-find_sieves_of_product_sizes(struct forecast *f, const double *sieve, size_t n)
+locate_product_sizes_in_sieves(
+    struct forecast *f, const double *sieve, size_t n)
 {
 	for (size_t k = 0, i = 0; k < f->product.n; k++) {
 		double x = f->product.size[k];
@@ -102,7 +103,8 @@ interpolate_curve(
 /* Returns the index of the size whose passing, of the whole product, the
  * quantity is; n for other quantities, which are read off a curve. */
 static size_t
-row_of_passing_quantity(const struct quantity *q, const double *size, size_t n)
+size_index_of_passing_quantity(
+    const struct quantity *q, const double *size, size_t n)
 {
 	size_t k = 0;
 	if (q->kind != QUANTITY_PASSING || fraction_is_screened(&q->fraction))
@@ -140,19 +142,19 @@ forecast_new(const struct psd *feed, const double *size, size_t n,
 		.value = xcalloc_doubles(n_asked),
 		.draw = xcalloc(n_asked, sizeof *f->draw),
 		.part = psd_new(n)};
-	model_use_params(f->model, p);
+	model_set_params(f->model, p);
 	memcpy(f->product.size, all, n * sizeof *all);
 	memcpy(f->part.size, all, n * sizeof *all);
-	find_sieves_of_product_sizes(f, size, n_sieve);
+	locate_product_sizes_in_sieves(f, size, n_sieve);
 	f->curve = psd_copy(&f->product);
 	f->alone = psd_copy(&f->product);
 	for (size_t i = 0; i < n_asked; i++) {
 		f->asked[i] = asked[i];
-		f->row[i] = row_of_passing_quantity(&asked[i], all, n);
+		f->row[i] = size_index_of_passing_quantity(&asked[i], all, n);
 		if (!fraction_is_screened(&asked[i].fraction))
 			continue;
 		f->kept[i] = xcalloc_doubles(n);
-		fraction_kept_of_classes(
+		fraction_share_of_each_class(
 		    &asked[i].fraction, all, n, f->kept[i]);
 	}
 	return f;
@@ -193,7 +195,7 @@ curve_of_fraction(
 	*share = 1;
 	if (f->kept[i] == NULL)
 		return curve;
-	*share = screening_part_of_product(curve, f->kept[i], &f->part);
+	*share = screening_compute_kept_part(curve, f->kept[i], &f->part);
 	return &f->part;
 }
 
@@ -209,7 +211,7 @@ quantity_of_curve(struct forecast *f, size_t i, const struct psd *curve)
 }
 
 static void
-fill_curve_of_draw(const struct forecast *f, size_t d, struct psd *curve)
+fill_posterior_draw_curve(const struct forecast *f, size_t d, struct psd *curve)
 {
 	const double *P = ensemble_products(f->ensemble, f->of) + d;
 	interpolate_curve(f, P, DRAWS, curve);
@@ -217,7 +219,7 @@ fill_curve_of_draw(const struct forecast *f, size_t d, struct psd *curve)
 
 /* Computes the passings at size k in all draws. */
 static void
-copy_row_of_draws(const struct forecast *f, size_t k, double *draw)
+compute_passing_draws(const struct forecast *f, size_t k, double *draw)
 {
 	const double *P = ensemble_products(f->ensemble, f->of);
 	const double *above = P + f->above[k] * DRAWS, *below = above + DRAWS;
@@ -230,10 +232,10 @@ copy_row_of_draws(const struct forecast *f, size_t k, double *draw)
 }
 
 static const struct psd *
-curve_of_model(struct forecast *f)
+curve_of_model_alone(struct forecast *f)
 {
 	if (f->alone_speed != f->speed) {
-		model_product(f->model, f->speed, f->sieve);
+		model_compute_product(f->model, f->speed, f->sieve);
 		interpolate_curve(f, f->sieve, 1, &f->alone);
 		f->alone_speed = f->speed;
 	}
@@ -241,11 +243,11 @@ curve_of_model(struct forecast *f)
 }
 
 static void
-compute_answer_at_speed(struct forecast *f, double v)
+compute_forecast_at_speed(struct forecast *f, double v)
 {
 	f->speed = v;
 	if (f->ensemble == NULL) {
-		memcpy(f->product.passing, curve_of_model(f)->passing,
+		memcpy(f->product.passing, curve_of_model_alone(f)->passing,
 		    f->product.n * sizeof *f->product.passing);
 	} else {
 		ensemble_set_speed(f->ensemble, v);
@@ -257,19 +259,19 @@ compute_answer_at_speed(struct forecast *f, double v)
 }
 
 static void
-fill_quantity_draws(struct forecast *f)
+compute_quantities_in_draws(struct forecast *f)
 {
 	bool curves = false;
 	for (size_t i = 0; i < f->n; i++) {
 		if (f->draw[i] == NULL)
 			f->draw[i] = xcalloc_doubles(DRAWS);
 		if (f->row[i] < f->product.n)
-			copy_row_of_draws(f, f->row[i], f->draw[i]);
+			compute_passing_draws(f, f->row[i], f->draw[i]);
 		else
 			curves = true;
 	}
 	for (size_t d = 0; d < DRAWS && curves; d++) {
-		fill_curve_of_draw(f, d, &f->curve);
+		fill_posterior_draw_curve(f, d, &f->curve);
 		for (size_t i = 0; i < f->n; i++)
 			if (f->row[i] >= f->product.n)
 				f->draw[i][d] =
@@ -278,30 +280,30 @@ fill_quantity_draws(struct forecast *f)
 }
 
 void
-forecast_set_asker(struct forecast *f, void *asker)
+forecast_set_user_data(struct forecast *f, void *asker)
 {
 	f->asker = asker;
 }
 
 const void *
-forecast_asker(const struct forecast *f)
+forecast_user_data(const struct forecast *f)
 {
 	return f->asker;
 }
 
 void
-forecast_move(
+forecast_move_to_speed(
     struct forecast *f, struct ensemble *e, enum ensemble_part of, double v)
 {
 	f->ensemble = e;
 	f->of = of;
-	compute_answer_at_speed(f, v);
+	compute_forecast_at_speed(f, v);
 	if (e != NULL)
-		fill_quantity_draws(f);
+		compute_quantities_in_draws(f);
 }
 
 const struct quantity *
-forecast_asked_quantity(const struct forecast *f, size_t i)
+forecast_get_asked_quantity(const struct forecast *f, size_t i)
 {
 	return &f->asked[i];
 }
@@ -309,7 +311,7 @@ forecast_asked_quantity(const struct forecast *f, size_t i)
 double
 forecast_value_of_model_alone(struct forecast *f, size_t i)
 {
-	return quantity_of_curve(f, i, curve_of_model(f));
+	return quantity_of_curve(f, i, curve_of_model_alone(f));
 }
 
 double
@@ -336,19 +338,19 @@ forecast_break_size(const struct forecast *f)
 }
 
 double
-forecast_share_selected(struct forecast *f)
+forecast_broken_feed_share(struct forecast *f)
 {
-	return model_share_selected(f->model, f->speed);
+	return model_broken_feed_share(f->model, f->speed);
 }
 
 bool
-forecast_breaks_feed(struct forecast *f)
+forecast_is_feed_broken(struct forecast *f)
 {
-	return model_breaks_feed(f->model, f->speed);
+	return model_is_feed_broken(f->model, f->speed);
 }
 
 const double *
-forecast_draws(const struct forecast *f, size_t i)
+forecast_draws_of_quantity(const struct forecast *f, size_t i)
 {
 	return f->draw[i];
 }
@@ -360,7 +362,7 @@ excess_of_curve_over_limit(struct forecast *f, size_t i, double limit,
     double value, const struct psd *curve)
 {
 	double share;
-	curve = quantity_excess_needs_curve(&f->asked[i])
+	curve = quantity_excess_needs_whole_curve(&f->asked[i])
 		    ? curve_of_fraction(f, i, curve, &share)
 		    : NULL;
 	return quantity_excess_as_passing(&f->asked[i], limit, value, curve);
@@ -374,12 +376,12 @@ forecast_excess_over_limit(struct forecast *f, size_t i, double limit)
 }
 
 void
-forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
+forecast_excess_in_each_draw(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++) {
-		if (quantity_excess_needs_curve(&f->asked[i]))
-			fill_curve_of_draw(f, d, &f->curve);
+		if (quantity_excess_needs_whole_curve(&f->asked[i]))
+			fill_posterior_draw_curve(f, d, &f->curve);
 		over[d] = excess_of_curve_over_limit(
 		    f, i, limit, f->draw[i][d], &f->curve);
 	}

@@ -15,9 +15,10 @@ struct figure {
 
 struct forecast;
 
-/* size [n]: the sieves, m, coarsest first; see predict_table_sizes.  Between
- * them, the curve is interpolated linearly in log size (D20), also at the sizes
- * that the quantities asked [n_asked] need.  level: of the bands, 0..1. */
+/* size [n]: the sieves, m, coarsest first; see predict_list_table_sieves.
+ * Between them, the curve is interpolated linearly in log size (D20), also at
+ * the sizes that the quantities asked [n_asked] need.  level: of the bands,
+ * 0..1. */
 struct forecast *forecast_new(const struct psd *feed, const double *size,
     size_t n, const struct quantity *asked, size_t n_asked,
     const struct params *p, struct model_settings settings, double level);
@@ -25,18 +26,18 @@ void forecast_close(struct forecast *f);
 
 /* Store and return data with which the caller finds an ensemble.  The forecast
  * owns the data, which free() must be able to free; NULL if none was set. */
-void forecast_set_asker(struct forecast *f, void *asker);
-const void *forecast_asker(const struct forecast *f);
+void forecast_set_user_data(struct forecast *f, void *asker);
+const void *forecast_user_data(const struct forecast *f);
 
 /* Moves to tip speed v, m/s.  e: an ensemble of the same feed and sieves,
  * borrowed until the next move, or NULL for the model alone.  of: the part of
  * the ensemble from which draws and bands are read; values are always the
  * answer's. */
-void forecast_move(
+void forecast_move_to_speed(
     struct forecast *f, struct ensemble *e, enum ensemble_part of, double v);
 
 /* Returns quantity i as asked; borrowed. */
-const struct quantity *forecast_asked_quantity(
+const struct quantity *forecast_get_asked_quantity(
     const struct forecast *f, size_t i);
 
 /* Returns quantity i in its own unit.  The band is the middle `level` of the
@@ -51,20 +52,20 @@ double forecast_tip_speed(const struct forecast *f);
  * of the draws' break sizes. */
 struct figure forecast_break_size(const struct forecast *f);
 
-/* For predict_table.  Return, for the model alone, the share of the feed that
- * is selected, and true if the product differs from the feed. */
-double forecast_share_selected(struct forecast *f);
-bool forecast_breaks_feed(struct forecast *f);
+/* For predict_at_table_sieves.  Return, for the model alone, the share of the
+ * feed that is selected, and true if the product differs from the feed. */
+double forecast_broken_feed_share(struct forecast *f);
+bool forecast_is_feed_broken(struct forecast *f);
 
 /* Returns the values [POSTERIOR_DRAWS] of quantity i in the draws, borrowed, or
  * NULL before the first move with an ensemble. */
-const double *forecast_draws(const struct forecast *f, size_t i);
+const double *forecast_draws_of_quantity(const struct forecast *f, size_t i);
 
 /* Compute how far quantity i is above a limit (quantity_excess_as_passing):
- * forecast_excess_over_limit in the answer, forecast_excess_of_draws in each
- * draw.  Call them before another forecast moves. */
+ * forecast_excess_over_limit in the answer, forecast_excess_in_each_draw in
+ * each draw.  Call them before another forecast moves. */
 double forecast_excess_over_limit(struct forecast *f, size_t i, double limit);
-void forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
+void forecast_excess_in_each_draw(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
 /* Returns quantity i of the second forecast minus that of the first, each at

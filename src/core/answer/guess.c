@@ -36,12 +36,12 @@ has_same_parameters(
  * all of the same rock; within a rock, those without a top size are the
  * farthest. */
 static double
-distance_from_wanted(
+distance_from_wanted_material(
     const struct guess_material *m, const struct guess_material *wanted)
 {
 	const double other_rock = 1000, unknown = 100;
 	bool same =
-	    m->rock[0] != '\0' && text_same_folded(m->rock, wanted->rock);
+	    m->rock[0] != '\0' && text_is_same_folded(m->rock, wanted->rock);
 	double far = same ? 0 : other_rock;
 	if (wanted->top_size > 0 && m->top_size > 0)
 		far += fabs(log(m->top_size / wanted->top_size));
@@ -62,7 +62,7 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
 	const double hair = 1e-9;
 	memcpy(taken, leave_out, n * sizeof *taken);
 	for (size_t i = 0; i < n; i++)
-		far[i] = distance_from_wanted(&m[i], wanted);
+		far[i] = distance_from_wanted_material(&m[i], wanted);
 	while (picked < most) {
 		size_t best = n;
 		for (size_t i = 0; i < n; i++)
@@ -94,7 +94,7 @@ interpolate_sorted_values(const double *v, size_t n, double place)
 /* Sorts v, which must not contain NAN, and returns its median and 80 %
  * range. */
 static struct guess_range
-sort_and_find_range(double *v, size_t n)
+sort_and_compute_80_range(double *v, size_t n)
 {
 	double places = (double)n + 1;
 	gsl_sort(v, 1, n);
@@ -115,7 +115,7 @@ range_of_size_at_passing(const struct psd *median, const struct prediction *p,
 		v[i] = psd_size_at_passing(&p[i].curve, passing);
 		v[i] = isnan(v[i]) ? -INFINITY : v[i];
 	}
-	struct guess_range range = sort_and_find_range(v, n);
+	struct guess_range range = sort_and_compute_80_range(v, n);
 	range.middle = psd_size_at_passing(median, passing);
 	range.low = isfinite(range.low) ? range.low : NAN;
 	range.high = isfinite(range.high) ? range.high : NAN;
@@ -130,7 +130,7 @@ median_curve(const struct prediction *p, size_t n)
 	for (size_t s = 0; s < median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].curve.passing[s];
-		median.passing[s] = sort_and_find_range(v, n).middle;
+		median.passing[s] = sort_and_compute_80_range(v, n).middle;
 	}
 	return median;
 }
@@ -138,7 +138,8 @@ median_curve(const struct prediction *p, size_t n)
 /* Fills the guess's curves, and its break size, from n products on the same
  * sieves. */
 static void
-fill_median_and_range(struct guess *guess, const struct prediction *p, size_t n)
+fill_guess_median_and_range(
+    struct guess *guess, const struct prediction *p, size_t n)
 {
 	FREED double *v = xcalloc_doubles(n);
 	guess->feed = psd_copy(&p[0].feed);
@@ -148,21 +149,21 @@ fill_median_and_range(struct guess *guess, const struct prediction *p, size_t n)
 	for (size_t s = 0; s < guess->median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].product.passing[s];
-		struct guess_range range = sort_and_find_range(v, n);
+		struct guess_range range = sort_and_compute_80_range(v, n);
 		guess->median.passing[s] = range.middle;
 		guess->low.passing[s] = range.low;
 		guess->high.passing[s] = range.high;
 	}
 	for (size_t i = 0; i < n; i++)
 		v[i] = p[i].break_size;
-	guess->break_size = sort_and_find_range(v, n);
+	guess->break_size = sort_and_compute_80_range(v, n);
 }
 
 static struct guess
-guess_from_products(const struct prediction *p, size_t n, double v)
+summarise_predictions_as_guess(const struct prediction *p, size_t n, double v)
 {
 	struct guess guess = {.speed = v};
-	fill_median_and_range(&guess, p, n);
+	fill_guess_median_and_range(&guess, p, n);
 	struct psd median = median_curve(p, n);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		guess.size[i] =
@@ -184,7 +185,7 @@ static const double LAWS[GUESS_LAWS][4] = {
     {1, 0.02, -0.02, 0.01}}; /* 67 */
 
 struct guess
-guess_product(const struct site *site, size_t feed_run,
+guess_psd_from_materials(const struct site *site, size_t feed_run,
     const struct guess_material *m, const size_t *pick, size_t n, double v)
 {
 	size_t laws = 1, all;
@@ -201,7 +202,7 @@ guess_product(const struct site *site, size_t feed_run,
 		p[i] = predict_with_model_alone(
 		    site, &params, of->settings, v, feed_run);
 	}
-	struct guess guess = guess_from_products(p, all, v);
+	struct guess guess = summarise_predictions_as_guess(p, all, v);
 	for (size_t i = 0; i < all; i++)
 		prediction_free(&p[i]);
 	return guess;
@@ -233,7 +234,7 @@ struct pairs {
 };
 
 static struct pairs
-pairs_new(const struct guess_material *m, size_t n, double v)
+material_pairs_new(const struct guess_material *m, size_t n, double v)
 {
 	struct pairs pairs = {n, v, m, xcalloc(n * n, sizeof *pairs.p)};
 	for (size_t i = 0; i < n; i++) {
@@ -242,7 +243,7 @@ pairs_new(const struct guess_material *m, size_t n, double v)
 		    .n = 1,
 		    .n_speed = 1,
 		    .speed = &v};
-		struct site *site = synth_site(&synth);
+		struct site *site = synth_make_site(&synth);
 		for (size_t j = 0; j < n; j++)
 			pairs.p[i * n + j] = predict_with_model_alone(
 			    site, &m[j].params, m[j].settings, v, 0);
@@ -260,7 +261,7 @@ pairs_free(struct pairs *pairs)
 }
 
 static struct trial
-guess_left_out_site(
+guess_error_of_left_out_site(
     const struct pairs *pairs, const size_t *pick, size_t n, size_t truth)
 {
 	const struct prediction *row = &pairs->p[truth * pairs->n];
@@ -268,7 +269,7 @@ guess_left_out_site(
 	struct prediction p = row[truth];
 	for (size_t i = 0; i < n; i++)
 		picked[i] = row[pick[i]];
-	struct guess g = guess_from_products(picked, n, pairs->v);
+	struct guess g = summarise_predictions_as_guess(picked, n, pairs->v);
 	const double *P = p.product.passing;
 	struct trial trial = {
 	    .error = psd_rms_difference(g.median.passing, P, p.product.n, NULL),
@@ -287,20 +288,21 @@ guess_left_out_site(
 /* Marks the materials that a guess for material i may not use.  Returns false
  * if a material with the same numbers comes before i. */
 static bool
-mark_materials_left_out(
+mark_materials_left_out_of_guess(
     const struct guess_material *m, size_t n, size_t i, bool *leave_out)
 {
 	bool first = true;
 	for (size_t j = 0; j < n; j++) {
 		bool same = has_same_parameters(&m[i], &m[j]);
 		first = first && !(same && j < i);
-		leave_out[j] = same || text_same_folded(m[i].site, m[j].site);
+		leave_out[j] =
+		    same || text_is_same_folded(m[i].site, m[j].site);
 	}
 	return first;
 }
 
 static struct guess_error
-leave_one_material_out(const struct pairs *pairs, size_t nearest)
+leave_one_material_out_error(const struct pairs *pairs, size_t nearest)
 {
 	const struct guess_material *m = pairs->m;
 	size_t n = pairs->n;
@@ -310,14 +312,14 @@ leave_one_material_out(const struct pairs *pairs, size_t nearest)
 	size_t cells = 0, held = 0;
 	FREED double *error = xcalloc_doubles(n), *feed = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
-		if (!mark_materials_left_out(m, n, i, leave_out))
+		if (!mark_materials_left_out_of_guess(m, n, i, leave_out))
 			continue;
 		size_t picked = guess_find_nearest_materials(
 		    m, n, &m[i], leave_out, nearest, pick);
 		if (picked == 0)
 			continue;
 		struct trial trial =
-		    guess_left_out_site(pairs, pick, picked, i);
+		    guess_error_of_left_out_site(pairs, pick, picked, i);
 		cells += trial.cells;
 		held += trial.held;
 		if (trial.error > out.worst) {
@@ -328,31 +330,32 @@ leave_one_material_out(const struct pairs *pairs, size_t nearest)
 		error[out.n++] = trial.error;
 	}
 	if (out.n > 0) {
-		out.median = sort_and_find_range(error, out.n).middle;
-		out.feed = sort_and_find_range(feed, out.n).middle;
+		out.median = sort_and_compute_80_range(error, out.n).middle;
+		out.feed = sort_and_compute_80_range(feed, out.n).middle;
 		out.held = cells > 0 ? (double)held / (double)cells : NAN;
 	}
 	return out;
 }
 
 struct guess_error
-guess_leave_one_out(
+guess_leave_one_out_error(
     const struct guess_material *m, size_t n, size_t nearest, double v)
 {
-	struct pairs pairs = pairs_new(m, n, v);
-	struct guess_error e = leave_one_material_out(&pairs, nearest);
+	struct pairs pairs = material_pairs_new(m, n, v);
+	struct guess_error e = leave_one_material_out_error(&pairs, nearest);
 	pairs_free(&pairs);
 	return e;
 }
 
 struct guess_choice
-guess_choose_nearest_count(const struct guess_material *m, size_t n, double v)
+guess_choose_neighbour_count(const struct guess_material *m, size_t n, double v)
 {
-	struct pairs pairs = pairs_new(m, n, v);
-	struct guess_choice choice = {.all = leave_one_material_out(&pairs, n)};
-	choice.few = leave_one_material_out(&pairs, 1);
+	struct pairs pairs = material_pairs_new(m, n, v);
+	struct guess_choice choice = {
+	    .all = leave_one_material_out_error(&pairs, n)};
+	choice.few = leave_one_material_out_error(&pairs, 1);
 	for (size_t k = 2; k + 1 < n; k++) {
-		struct guess_error e = leave_one_material_out(&pairs, k);
+		struct guess_error e = leave_one_material_out_error(&pairs, k);
 		choice.few = e.median < choice.few.median ? e : choice.few;
 	}
 	choice.helps = choice.few.median < 0.8 * choice.all.median;

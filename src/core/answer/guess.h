@@ -66,7 +66,7 @@ enum { GUESS_LAWS = 8 };
  * for each of the n >= 1 materials picked, with its own settings; if a
  * material's law is open, one for each of GUESS_LAWS.  Cannot fail.  Free with
  * guess_free. */
-struct guess guess_product(const struct site *site, size_t feed_run,
+struct guess guess_psd_from_materials(const struct site *site, size_t feed_run,
     const struct guess_material *m, const size_t *pick, size_t n, double v);
 void guess_free(struct guess *guess);
 
@@ -86,7 +86,7 @@ struct guess_error {
  * = 1).  Other materials are those of another site with different numbers; of
  * materials with identical numbers, only one is guessed.  All top sizes must be
  * known. */
-struct guess_error guess_leave_one_out(
+struct guess_error guess_leave_one_out_error(
     const struct guess_material *m, size_t n, size_t nearest, double v);
 
 /* Whether choosing by rock and top size improves the guess.  all: the errors of
@@ -99,7 +99,7 @@ struct guess_choice {
 	bool helps;
 };
 
-struct guess_choice guess_choose_nearest_count(
+struct guess_choice guess_choose_neighbour_count(
     const struct guess_material *m, size_t n, double v);
 
 #endif

@@ -13,15 +13,15 @@
 /* Computes product [n]: the share of one class's mass that ends up in each
  * class. */
 static void
-product_of_class(const struct psd *feed, const struct params *p,
+compute_product_of_class(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v, size_t class, double *product)
 {
 	struct psd one = psd_copy(feed);
 	for (size_t i = 0; i < one.n; i++)
 		one.passing[i] = i <= class ? 1 : 0;
 	struct model *model = model_new(&one, one.size, one.n, settings);
-	model_use_params(model, p);
-	model_product(model, v, product);
+	model_set_params(model, p);
+	model_compute_product(model, v, product);
 	for (size_t i = 0; i + 1 < one.n; i++)
 		product[i] -= product[i + 1];
 	model_free(model);
@@ -55,11 +55,11 @@ mass_balance_new(const struct psd *feed, const struct params *p,
 	    .arrived = xcalloc_doubles(n),
 	    .product = xcalloc_doubles(n)};
 	FREED double *S = xcalloc_doubles(n), *product = xcalloc_doubles(n);
-	predict_selection_of_classes(feed, p, settings, v, S);
+	predict_broken_share_of_classes(feed, p, settings, v, S);
 	for (size_t i = 0; i < n; i++) {
 		double finer = i + 1 < n ? feed->passing[i + 1] : 0;
 		l.feed[i] = feed->passing[i] - finer;
-		product_of_class(feed, p, settings, v, i, product);
+		compute_product_of_class(feed, p, settings, v, i, product);
 		mass_balance_add_class(&l, i, S[i], product);
 	}
 	for (size_t i = 0; i < n; i++)
@@ -79,7 +79,7 @@ mass_balance_free(struct mass_balance *l)
 }
 
 size_t
-mass_balance_class_of_largest(const double *a, const double *b, size_t n)
+mass_balance_largest_class(const double *a, const double *b, size_t n)
 {
 	size_t most = 0;
 	for (size_t i = 1; i < n; i++) {

@@ -29,7 +29,6 @@ void mass_balance_free(struct mass_balance *ledger);
 
 /* Returns the index of the largest of a [n], or of a [n] - b [n] if b is not
  * NULL. */
-size_t mass_balance_class_of_largest(
-    const double *a, const double *b, size_t n);
+size_t mass_balance_largest_class(const double *a, const double *b, size_t n);
 
 #endif

@@ -29,7 +29,7 @@ struct trial {
 };
 
 static void
-fit_idle_power(
+fit_trial_idle_power(
     struct trial *t, const struct power *p, const struct reading *reading)
 {
 	double xx = 0, xy = 0, yy = 0;
@@ -52,7 +52,7 @@ fit_idle_power(
 /* Finds the range of factors to try: from 1 to the largest of any reading
  * without idle power. */
 static void
-range_of_trial_factors(
+range_of_power_factors_to_try(
     struct power *p, const struct reading *reading, double range[2])
 {
 	double top = 0;
@@ -96,7 +96,7 @@ weigh_idle_power_trials(const struct power *p, struct trial *t, double *weight)
  * at quantiles spaced by the golden section, so that each call gives the same
  * draws. */
 static void
-fill_draws_from_trials(
+fill_power_draws_from_trials(
     struct power *p, const struct trial *t, const double *weight)
 {
 	const double golden = 0.6180339887498949;
@@ -114,35 +114,35 @@ fill_draws_from_trials(
 }
 
 static void
-fit_draws_of_power(struct power *p, const struct reading *reading)
+fit_power_draws_to_readings(struct power *p, const struct reading *reading)
 {
 	struct trial t[TRIED];
 	double range[2], weight[TRIED];
-	range_of_trial_factors(p, reading, range);
+	range_of_power_factors_to_try(p, reading, range);
 	for (size_t k = 0; k < TRIED; k++) {
 		double e = (double)(k / FACTORS) / (EXPONENTS - 1),
 		       f = ((double)(k % FACTORS) + 0.5) / FACTORS;
 		t[k].exponent = 1 + 2 * e;
 		t[k].factor = range[0] + f * (range[1] - range[0]);
-		fit_idle_power(&t[k], p, reading);
+		fit_trial_idle_power(&t[k], p, reading);
 	}
 	weigh_idle_power_trials(p, t, weight);
-	fill_draws_from_trials(p, t, weight);
+	fill_power_draws_from_trials(p, t, weight);
 }
 
 struct power
-power_fit(const struct reading *reading, size_t n)
+power_fit_readings(const struct reading *reading, size_t n)
 {
 	struct power p = {.n = n, .least = true};
 	if (n > 0)
-		fit_draws_of_power(&p, reading);
+		fit_power_draws_to_readings(&p, reading);
 	else
 		for (size_t d = 0; d < POWER_DRAWS; d++)
 			p.draw[d].factor = 1;
 	for (size_t i = 0; i < n; i++) {
 		double off = reading[i].kw;
 		for (size_t d = 0; d < POWER_DRAWS; d++)
-			off -= power_of_draw(
+			off -= power_kw_of_posterior_draw(
 				   &p, d, reading[i].speed, reading[i].tph) /
 			       POWER_DRAWS;
 		p.rms += off * off / (double)n;
@@ -152,7 +152,7 @@ power_fit(const struct reading *reading, size_t n)
 }
 
 bool
-power_falls_with_speed(const struct reading *reading, size_t n)
+power_is_falling_with_speed(const struct reading *reading, size_t n)
 {
 	const double faster = 1.03, alike = 0.05;
 	for (size_t i = 0; i < n; i++)
@@ -165,16 +165,17 @@ power_falls_with_speed(const struct reading *reading, size_t n)
 }
 
 double
-power_idle_of_draw(const struct power *p, size_t draw, double speed)
+power_idle_kw_of_draw(const struct power *p, size_t draw, double speed)
 {
 	const struct power_draw *d = &p->draw[draw % POWER_DRAWS];
 	return d->idle > 0 ? d->idle * pow(speed / p->at, d->exponent) : 0;
 }
 
 double
-power_of_draw(const struct power *p, size_t draw, double speed, double tph)
+power_kw_of_posterior_draw(
+    const struct power *p, size_t draw, double speed, double tph)
 {
-	return power_idle_of_draw(p, draw, speed) +
+	return power_idle_kw_of_draw(p, draw, speed) +
 	       p->draw[draw % POWER_DRAWS].factor *
 		   power_to_accelerate_rock(speed, tph);
 }

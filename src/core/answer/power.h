@@ -36,17 +36,17 @@ struct power {
 		double idle, exponent, factor;
 	} draw[POWER_DRAWS];
 };
-struct power power_fit(const struct reading *reading, size_t n);
+struct power power_fit_readings(const struct reading *reading, size_t n);
 
 /* True if, of two readings at similar tonnages, the clearly faster one shows
  * less power.  A motor cannot do that, so an estimate from such readings is not
  * valid. */
-bool power_falls_with_speed(const struct reading *reading, size_t n);
+bool power_is_falling_with_speed(const struct reading *reading, size_t n);
 
 /* Return the power in a draw, kW, and the idle part of it.  draw is taken
  * modulo POWER_DRAWS. */
-double power_of_draw(
+double power_kw_of_posterior_draw(
     const struct power *p, size_t draw, double speed, double tph);
-double power_idle_of_draw(const struct power *p, size_t draw, double speed);
+double power_idle_kw_of_draw(const struct power *p, size_t draw, double speed);
 
 #endif

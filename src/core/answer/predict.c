@@ -31,11 +31,11 @@ sieves_of_product_table(const struct site *site, const struct psd *feed)
 {
 	return site->n_shown > 0
 		   ? list_covered_sizes(site->shown, site->n_shown, feed)
-		   : predict_table_sizes(site, feed);
+		   : predict_list_table_sieves(site, feed);
 }
 
 struct psd
-predict_table_sizes(const struct site *site, const struct psd *feed)
+predict_list_table_sieves(const struct site *site, const struct psd *feed)
 {
 	size_t n;
 	FREED double *size = site_all_sieves(site, &n);
@@ -47,7 +47,7 @@ predict_table_sizes(const struct site *site, const struct psd *feed)
 }
 
 void
-prediction_drop_band(struct prediction *p)
+prediction_remove_band(struct prediction *p)
 {
 	free(p->low);
 	free(p->high);
@@ -79,9 +79,9 @@ predict_table_quantities(const struct site *site, const struct psd *feed,
 }
 
 static void
-prediction_read_passings(struct prediction *p, struct forecast *f)
+prediction_fill_passings(struct prediction *p, struct forecast *f)
 {
-	bool band = forecast_draws(f, 0) != NULL;
+	bool band = forecast_draws_of_quantity(f, 0) != NULL;
 	p->model = xcalloc_doubles(p->product.n);
 	p->low = band ? xcalloc_doubles(p->product.n) : NULL;
 	p->high = band ? xcalloc_doubles(p->product.n) : NULL;
@@ -97,7 +97,7 @@ prediction_read_passings(struct prediction *p, struct forecast *f)
 }
 
 struct prediction
-predict_table(const struct site *site, size_t feed_run,
+predict_at_table_sieves(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct forecast *f)
 {
 	const struct psd *feed = site_feed_of_run(site, feed_run);
@@ -110,13 +110,13 @@ predict_table(const struct site *site, size_t feed_run,
 	    .fraction = fraction_is_screened(fraction) ? *fraction
 						       : (struct fraction){0},
 	    .product = sieves_of_product_table(site, feed),
-	    .selected = forecast_share_selected(f),
-	    .no_daughters = !forecast_breaks_feed(f)};
+	    .selected = forecast_broken_feed_share(f),
+	    .no_daughters = !forecast_is_feed_broken(f)};
 	size_t n = p.product.n;
 	p.feed = psd_copy(&p.product);
 	for (size_t i = 0; i < n; i++)
 		p.feed.passing[i] = psd_passing(feed, p.feed.size[i]);
-	prediction_read_passings(&p, f);
+	prediction_fill_passings(&p, f);
 	for (size_t i = 0; i <= PSD_SIZES; i++) {
 		struct figure x = i < PSD_SIZES
 				      ? forecast_value_with_band(f, n + i)
@@ -142,14 +142,15 @@ predict_with_model_alone(const struct site *site, const struct params *p,
 {
 	const struct psd *feed = site_feed_of_run(site, feed_run);
 	const struct fraction whole = {0};
-	struct psd sizes = predict_table_sizes(site, feed);
+	struct psd sizes = predict_list_table_sieves(site, feed);
 	size_t n;
 	FREED struct quantity *asked =
 	    predict_table_quantities(site, feed, &whole, &n);
 	struct forecast *f =
 	    forecast_new(feed, sizes.size, sizes.n, asked, n, p, settings, 0);
-	forecast_move(f, NULL, ENSEMBLE_MODEL, speed);
-	struct prediction out = predict_table(site, feed_run, &whole, f);
+	forecast_move_to_speed(f, NULL, ENSEMBLE_MODEL, speed);
+	struct prediction out =
+	    predict_at_table_sieves(site, feed_run, &whole, f);
 	forecast_close(f);
 	psd_free(&sizes);
 	return out;
@@ -157,7 +158,7 @@ predict_with_model_alone(const struct site *site, const struct params *p,
 
 /* The share selected of a feed of one class alone is the class's mean S. */
 void
-predict_selection_of_classes(const struct psd *feed, const struct params *p,
+predict_broken_share_of_classes(const struct psd *feed, const struct params *p,
     struct model_settings settings, double speed, double *S)
 {
 	for (size_t i = 0; i < feed->n; i++) {
@@ -169,8 +170,8 @@ predict_selection_of_classes(const struct psd *feed, const struct params *p,
 		struct psd class = {pan ? 1 : 2, feed->size + i, one};
 		struct model *model =
 		    model_new(&class, feed->size + i, 1, settings);
-		model_use_params(model, p);
-		S[i] = fmin(model_share_selected(model, speed), 1);
+		model_set_params(model, p);
+		S[i] = fmin(model_broken_feed_share(model, speed), 1);
 		model_free(model);
 	}
 }

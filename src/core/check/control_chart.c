@@ -65,7 +65,7 @@ struct component {
 };
 
 static void
-fill_component_of_draws(const struct drift_cut *c, struct component *w)
+compute_component_in_draws(const struct drift_cut *c, struct component *w)
 {
 	double mean = 0;
 	for (size_t d = 0; d < c->n_draw; d++) {
@@ -88,7 +88,7 @@ covariance_over_draws(
 
 /* Returns the covariance of two components of a sample. */
 static double
-covariance_of_two_components(const struct drift_cut *c,
+covariance_of_drift_components(const struct drift_cut *c,
     const struct component *a, const struct component *b)
 {
 	double sum = covariance_over_draws(a, b, c->n_draw);
@@ -116,7 +116,7 @@ fill_tilt_weights(const struct drift_cut *c, double *weight)
 }
 
 static void
-fill_component_weights(
+fill_drift_component_weights(
     const struct drift_cut *c, struct component w[static DRIFT_COMPONENTS])
 {
 	struct component *level = &w[DRIFT_LEVEL], *tilt = &w[DRIFT_TILT];
@@ -127,20 +127,20 @@ fill_component_weights(
 	for (size_t i = 0; i < c->n; i++)
 		level->weight[i] = 1 / (double)c->n;
 	fill_tilt_weights(c, tilt->weight);
-	fill_component_of_draws(c, level);
-	fill_component_of_draws(c, tilt);
-	double share = covariance_of_two_components(c, level, tilt) /
-		       covariance_of_two_components(c, level, level);
+	compute_component_in_draws(c, level);
+	compute_component_in_draws(c, tilt);
+	double share = covariance_of_drift_components(c, level, tilt) /
+		       covariance_of_drift_components(c, level, level);
 	bool single = !(tilt->weight[0] > 0);
 	for (size_t i = 0; i < c->n && !single; i++)
 		tilt->weight[i] -= share * level->weight[i];
-	fill_component_of_draws(c, tilt);
+	compute_component_in_draws(c, tilt);
 }
 
 /* Returns the factor [n * n], in the upper triangle, of the covariance of a
  * component's values.  w [n * DRIFT_COMPONENTS]. */
 static double *
-covariance_factor_of_component(const struct drift_cut *cut,
+covariance_factor_of_drift_component(const struct drift_cut *cut,
     const struct component *w, size_t n, size_t component)
 {
 	double *U = xcalloc_doubles(n * n);
@@ -151,7 +151,7 @@ covariance_factor_of_component(const struct drift_cut *cut,
 			U[j * n + i] = covariance_over_draws(a,
 			    &w[j * DRIFT_COMPONENTS + component],
 			    cut[i].n_draw);
-		double own = covariance_of_two_components(&cut[i], a, a);
+		double own = covariance_of_drift_components(&cut[i], a, a);
 		/* Without weights the value is 0, whatever its variance. */
 		U[i * n + i] = own > 0 ? own : 1;
 	}
@@ -162,7 +162,7 @@ covariance_factor_of_component(const struct drift_cut *cut,
 /* Advances the charts of a component by its score, the n-th.  Returns 1 or -1
  * if a chart is beyond its upper or lower limit, else 0. */
 static int
-advance_component_charts(
+advance_control_charts(
     struct drift_chart *c, const struct drift_rule *r, size_t n)
 {
 	double share = r->lambda / (2 - r->lambda) *
@@ -179,7 +179,7 @@ advance_component_charts(
 /* The level comes first, because a shift that differs between sizes also tilts
  * the curve. */
 static enum drift_state
-drift_state_of_sides(const int side[static DRIFT_COMPONENTS])
+drift_state_from_chart_signals(const int side[static DRIFT_COMPONENTS])
 {
 	return side[DRIFT_LEVEL] < 0   ? DRIFT_COARSER
 	       : side[DRIFT_LEVEL] > 0 ? DRIFT_FINER
@@ -208,9 +208,9 @@ find_cusum_start(const struct drift_point *point, size_t i)
 }
 
 /* Returns how far value i is from its prediction by the first `known` values,
- * in standard deviations.  U: see covariance_factor_of_component. */
+ * in standard deviations.  U: see covariance_factor_of_drift_component. */
 static double
-z_of_value_given_earlier(const double *U, size_t n, size_t i, size_t known,
+z_score_given_earlier_values(const double *U, size_t n, size_t i, size_t known,
     size_t k, const struct drift_point *point)
 {
 	double expected = 0, variance = 0;
@@ -234,7 +234,7 @@ normal_score(
 }
 
 static void
-free_component_arrays(struct component *w, size_t n)
+free_drift_component_arrays(struct component *w, size_t n)
 {
 	for (size_t i = 0; i < n; i++) {
 		free(w[i].weight);
@@ -243,7 +243,7 @@ free_component_arrays(struct component *w, size_t n)
 }
 
 size_t
-drift_run_charts(const struct drift_cut *cut, size_t n,
+drift_compute_charts(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since)
 {
 	FREED struct component *w =
@@ -251,9 +251,9 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 	double *U[DRIFT_COMPONENTS];
 	size_t first = n;
 	for (size_t i = 0; i < n; i++)
-		fill_component_weights(&cut[i], &w[i * DRIFT_COMPONENTS]);
+		fill_drift_component_weights(&cut[i], &w[i * DRIFT_COMPONENTS]);
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
-		U[k] = covariance_factor_of_component(cut, w, n, k);
+		U[k] = covariance_factor_of_drift_component(cut, w, n, k);
 	*since = n;
 	for (size_t i = 0; i < n; i++) {
 		int side[DRIFT_COMPONENTS];
@@ -270,18 +270,18 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 			    covariance_over_draws(own, own, cut[i].n_draw);
 			c->truth = sqrt(truth);
 			c->error = sqrt(
-			    covariance_of_two_components(&cut[i], own, own) -
+			    covariance_of_drift_components(&cut[i], own, own) -
 			    truth);
-			c->off = z_of_value_given_earlier(
+			c->off = z_score_given_earlier_values(
 			    U[k], n, i, known, k, point);
 			double squares = 0;
 			for (size_t j = 0; j < known; j++)
 				squares += point[j].chart[k].off *
 					   point[j].chart[k].off;
 			c->score = normal_score(rule, c->off, known, squares);
-			side[k] = advance_component_charts(c, rule, i + 1);
+			side[k] = advance_control_charts(c, rule, i + 1);
 		}
-		point[i].state = drift_state_of_sides(side);
+		point[i].state = drift_state_from_chart_signals(side);
 		if (first == n && point[i].state != DRIFT_NONE) {
 			first = i;
 			*since = find_cusum_start(point, i);
@@ -289,7 +289,7 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 	}
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
 		free(U[k]);
-	free_component_arrays(w, n * DRIFT_COMPONENTS);
+	free_drift_component_arrays(w, n * DRIFT_COMPONENTS);
 	return first;
 }
 
@@ -309,7 +309,7 @@ drift_mean_run_length(
 				size_t at = n * DRIFT_COMPONENTS + k;
 				chart[k].score = rng_normal(key, (uint32_t)at) +
 						 (k == DRIFT_LEVEL ? shift : 0);
-				if (advance_component_charts(
+				if (advance_control_charts(
 					&chart[k], rule, n + 1) != 0)
 					signal = true;
 			}
@@ -331,7 +331,7 @@ struct simulated_level {
 
 /* Adds a sample.  Returns true if the chart signals. */
 static bool
-update_simulated_level_charts(
+add_sample_to_simulated_charts(
     struct simulated_level *l, const struct drift_rule *r, double value)
 {
 	double sum = l->variance + l->error * l->error;
@@ -341,7 +341,7 @@ update_simulated_level_charts(
 	l->mean += share * (value - l->mean);
 	l->variance *= 1 - share;
 	l->squares += l->chart.off * l->chart.off;
-	return advance_component_charts(&l->chart, r, ++l->known) != 0;
+	return advance_control_charts(&l->chart, r, ++l->known) != 0;
 }
 
 /* Simulates `quiet` samples, then shifted ones.  Returns the number, from 1, of
@@ -349,13 +349,13 @@ update_simulated_level_charts(
  * the shift; LONGEST + 1 if it never does. */
 enum { LONGEST = 200 };
 static size_t
-simulate_samples_until_signal(const struct drift_rule *rule,
+simulate_cuts_from_shift_to_signal(const struct drift_rule *rule,
     struct simulated_level l, size_t quiet, double shift, struct rng_key key)
 {
 	double truth = sqrt(l.variance) * rng_normal(key, 0);
 	for (uint32_t at = 1; at <= quiet + LONGEST; at++) {
 		double value = truth + l.actual * rng_normal(key, at);
-		if (update_simulated_level_charts(
+		if (add_sample_to_simulated_charts(
 			&l, rule, at > quiet ? value + shift : value))
 			return at > quiet ? at - quiet : 0;
 	}
@@ -378,7 +378,7 @@ drift_detection_delay(const struct drift_rule *rule,
 	    .variance = last->truth * last->truth};
 	size_t after[LONGEST + 2] = {0}, all = 0, sum = 0, median = 1;
 	for (uint64_t q = 0; q < SEQUENCES; q++)
-		after[simulate_samples_until_signal(
+		after[simulate_cuts_from_shift_to_signal(
 		    rule, l, known, shift, rng_make_key(seed, q, USE))]++;
 	all = SEQUENCES - after[0];
 	while (median <= LONGEST && 2 * (sum + after[median]) <= all)

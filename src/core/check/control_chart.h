@@ -72,7 +72,7 @@ struct drift_point {
  * samples from `since` on are not used for prediction, so that the drift itself
  * is not predicted.  Source: Hawkins 1987, Hawkins and Olwell 1998, section 7
  * (self-starting CUSUM); Page 1954; Roberts 1959. */
-size_t drift_run_charts(const struct drift_cut *cut, size_t n,
+size_t drift_compute_charts(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since);
 
 /* Returns the mean number of samples until a chart first signals if the level

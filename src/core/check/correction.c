@@ -24,7 +24,7 @@ index_of_mended_sieve(const struct psd *psd, double size)
 /* ---- Words ---- */
 
 char *
-mend_column_name(const struct site *site, bool feed, size_t run)
+mend_name_of_column(const struct site *site, bool feed, size_t run)
 {
 	const struct run *r = &site->run[run];
 	const char *repeat = r->repeat;
@@ -35,14 +35,14 @@ mend_column_name(const struct site *site, bool feed, size_t run)
 }
 
 bool
-mend_find_column(
+mend_find_column_by_name(
     const struct site *site, const char *name, bool *feed, size_t *run)
 {
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
 		*feed = i % 2 == 0;
 		*run = i / 2;
 		const struct run *r = &site->run[*run];
-		FREED char *own = mend_column_name(site, *feed, *run);
+		FREED char *own = mend_name_of_column(site, *feed, *run);
 		bool same = strcmp(own, name) == 0;
 		if (same && (*feed ? site_run_has_feed_sample(site, *run)
 				   : r->product.n > 0))
@@ -59,7 +59,7 @@ passing_percent_text(double passing)
 }
 
 static char *
-mended_cell_text(
+cell_mend_description(
     const struct site *site, const struct mend *m, const char *name)
 {
 	const struct psd *psd = site_feed_or_product(site, m->run, m->feed);
@@ -73,16 +73,16 @@ mended_cell_text(
 }
 
 char *
-mend_text(const struct site *site, const struct mend *m)
+mend_description(const struct site *site, const struct mend *m)
 {
-	FREED char *name = mend_column_name(site, m->feed, m->run);
+	FREED char *name = mend_name_of_column(site, m->feed, m->run);
 	FREED char *with = m->kind == MEND_SWAP_FEED
-			       ? mend_column_name(site, true, m->run)
-			       : mend_column_name(site, false, m->other);
+			       ? mend_name_of_column(site, true, m->run)
+			       : mend_name_of_column(site, false, m->other);
 	switch (m->kind) {
 	case MEND_READ:
 	case MEND_OUT:
-		return mended_cell_text(site, m, name);
+		return cell_mend_description(site, m, name);
 	case MEND_SWAP_FEED:
 	case MEND_SWAP_RUNS:
 		return xasprintf(tr("%s and %s exchanged"), name, with);
@@ -168,7 +168,7 @@ apply_mend_to_column(
 }
 
 static void
-drop_standard_deviations(struct run *run)
+remove_product_sd_of_run(struct run *run)
 {
 	free(run->product_sd);
 	run->product_sd = NULL;
@@ -181,7 +181,7 @@ swap_feed_with_product(struct site *site, size_t at)
 	struct run *run = &site->run[at];
 	swap_curves(&run->feed, &run->product);
 	run->lacks_feed = false;
-	drop_standard_deviations(run);
+	remove_product_sd_of_run(run);
 	for (size_t r = 0; r < site->n_run && !site->individual_feeds; r++) {
 		if (r == at)
 			continue;
@@ -204,7 +204,7 @@ is_valid_curve(const struct psd *psd, bool feed)
 }
 
 static bool
-has_valid_curves(const struct site *site)
+are_site_curves_valid(const struct site *site)
 {
 	bool ok = site->n_run > 0;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -225,7 +225,7 @@ add_mend_to_provenance(
 	    from->provenance[0] != '\0' ? from->provenance : "not stated";
 	size_t n = strcspn(was, ";"), m = strlen(mark);
 	bool marked = n >= m && strncmp(was + n - m, mark, m) == 0;
-	FREED char *words = mend_text(from, mend);
+	FREED char *words = mend_description(from, mend);
 	FREED char *first = xstrndup(was, n);
 	free(site->provenance);
 	site->provenance = xasprintf(
@@ -241,8 +241,8 @@ apply_mend(struct site *site, const struct site *from, const struct mend *m)
 	} else if (m->kind == MEND_SWAP_RUNS) {
 		swap_curves(
 		    &site->run[m->run].product, &site->run[m->other].product);
-		drop_standard_deviations(&site->run[m->run]);
-		drop_standard_deviations(&site->run[m->other]);
+		remove_product_sd_of_run(&site->run[m->run]);
+		remove_product_sd_of_run(&site->run[m->other]);
 	} else if (m->kind == MEND_DROP) {
 		site_drop_run(site, m->run);
 	} else {
@@ -268,7 +268,7 @@ site_with_mend(
 	}
 	struct site *site = site_copy(from);
 	apply_mend(site, from, mend);
-	if (has_valid_curves(site)) {
+	if (are_site_curves_valid(site)) {
 		add_mend_to_provenance(site, from, mend);
 		site_update_digest_and_mean_feed(site);
 		return site;

@@ -39,11 +39,11 @@ struct site *site_with_mend(
 
 /* Return the name of a column, "product@79", "feed", "product@79(2)", and the
  * mend in words, "product@79 at 2 mm: 69.1 read as 61.9".  The caller frees. */
-char *mend_column_name(const struct site *site, bool feed, size_t run);
-char *mend_text(const struct site *site, const struct mend *mend);
+char *mend_name_of_column(const struct site *site, bool feed, size_t run);
+char *mend_description(const struct site *site, const struct mend *mend);
 
 /* Finds the column with that name.  Returns false if there is none. */
-bool mend_find_column(
+bool mend_find_column_by_name(
     const struct site *site, const char *name, bool *feed, size_t *run);
 
 #endif

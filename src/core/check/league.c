@@ -64,7 +64,7 @@ league_rmse_over_runs(
 /* The difference is (a - m)^2 - (b - m)^2 = (a - b) (a + b - 2 m), so an error
  * of m is multiplied by -2 (a - b). */
 struct league_difference
-league_compare_errors(
+league_error_difference(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
 {
 	double prior[HYPERS], difference = 0, variance = 0;
@@ -89,17 +89,17 @@ league_compare_errors(
 }
 
 bool
-league_errs_clearly_more(
+league_is_error_clearly_larger(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
 {
-	struct league_difference p = league_compare_errors(cell, n, a, b);
+	struct league_difference p = league_error_difference(cell, n, a, b);
 	return p.difference > ERRORS * p.error &&
 	       league_rmse_over_runs(cell, n, a) >
 		   league_rmse_over_runs(cell, n, b) + LEAST;
 }
 
 bool
-league_misses_held_out_runs(
+league_is_prediction_poor(
     const struct league_cell *cell, size_t n, const double *predicted)
 {
 	double variance = 0, error = league_rmse_over_runs(cell, n, predicted);
@@ -140,7 +140,7 @@ find_best_model(struct league_model *model, size_t n)
 
 /* True if all models that remain extend the one with the fewest parameters. */
 static bool
-do_all_models_extend_smallest(const struct league_model *model, size_t n)
+are_models_extensions_of_smallest(const struct league_model *model, size_t n)
 {
 	const struct league_model *least = NULL;
 	for (size_t i = 0; i < n; i++)
@@ -152,13 +152,14 @@ do_all_models_extend_smallest(const struct league_model *model, size_t n)
 		if (model[i].standing <= LEAGUE_POSSIBLE &&
 		    &model[i] != least &&
 		    (model[i].energies || least->energies ||
-			!breakage_extends(model[i].model, least->model)))
+			!breakage_is_extension_of(
+			    model[i].model, least->model)))
 			return false;
 	return true;
 }
 
 bool
-league_rank_models(struct league_model *model, size_t n_model,
+league_rule_out_models(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n)
 {
 	struct league_model *best = find_best_model(model, n_model);
@@ -167,13 +168,15 @@ league_rank_models(struct league_model *model, size_t n_model,
 		struct league_model *m = &model[i];
 		const double *p = m->predicted, *q = best->predicted;
 		bool spared = m->rmse < best->rmse - ROUNDING;
-		m->standing =
-		    m == best                                 ? LEAGUE_BEST
-		    : league_errs_clearly_more(cell, n, p, q) ? LEAGUE_OUT_ERROR
-		    : m->aicc > best->aicc + FAR && !spared   ? LEAGUE_OUT_AICC
-							      : LEAGUE_POSSIBLE;
-		agree = agree && !league_errs_clearly_more(cell, n, q, p) &&
+		m->standing = m == best ? LEAGUE_BEST
+			      : league_is_error_clearly_larger(cell, n, p, q)
+				  ? LEAGUE_OUT_ERROR
+			      : m->aicc > best->aicc + FAR && !spared
+				  ? LEAGUE_OUT_AICC
+				  : LEAGUE_POSSIBLE;
+		agree = agree &&
+			!league_is_error_clearly_larger(cell, n, q, p) &&
 			!(best->aicc > m->aicc + FAR);
 	}
-	return agree && do_all_models_extend_smallest(model, n_model);
+	return agree && are_models_extensions_of_smallest(model, n_model);
 }

@@ -43,25 +43,25 @@ double league_rmse_over_runs(
 struct league_difference {
 	double difference, error;
 };
-struct league_difference league_compare_errors(
+struct league_difference league_error_difference(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
 /* True if the errors of a exceed those of b clearly: by more than twice
  * league_difference's error, and by more than 0.1 points of RMSE. */
-bool league_errs_clearly_more(
+bool league_is_error_clearly_larger(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
 /* True if the predictions miss the held-out runs by more than FIT_POOR and by
  * more than twice the sampling error.  The sampling error is taken to be at
  * most FIT_POOR, because it is estimated from a misfit.  If this is true, the
  * model describes these runs badly, even if all other models are worse. */
-bool league_misses_held_out_runs(
+bool league_is_prediction_poor(
     const struct league_cell *cell, size_t n, const double *predicted);
 
 /* A model to be compared.  model: its index in BREAKAGES.  standing: set by
- * league_rank_models. */
+ * league_rule_out_models. */
 enum league_standing {
-	LEAGUE_BEST,     /* the best; see league_rank_models */
+	LEAGUE_BEST,     /* the best; see league_rule_out_models */
 	LEAGUE_POSSIBLE, /* not distinguishable from the best */
 	LEAGUE_OUT_AICC, /* ruled out by its AICc */
 	LEAGUE_OUT_ERROR /* ruled out by its error on the held-out runs */
@@ -79,13 +79,13 @@ struct league_model {
  * best model has the smallest AICc of those whose held-out RMSE is within 0.1
  * points of the smallest, or of all if no run was held out.  A model is ruled
  * out if its held-out error is clearly larger than the best's
- * (league_errs_clearly_more).  It is also ruled out if its AICc is more than 10
- * above the best's, unless its held-out RMSE is even slightly smaller: AICc
- * assumes that errors are independent and of equal size, and those of sieves
- * are not.  The data can tell the models apart if all that remain are one model
- * and extensions of it, no model's error is clearly smaller than the best's,
- * and no AICc is more than 10 below the best's. */
-bool league_rank_models(struct league_model *model, size_t n_model,
+ * (league_is_error_clearly_larger).  It is also ruled out if its AICc is more
+ * than 10 above the best's, unless its held-out RMSE is even slightly smaller:
+ * AICc assumes that errors are independent and of equal size, and those of
+ * sieves are not.  The data can tell the models apart if all that remain are
+ * one model and extensions of it, no model's error is clearly smaller than the
+ * best's, and no AICc is more than 10 below the best's. */
+bool league_rule_out_models(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n);
 
 #endif

@@ -82,7 +82,7 @@ curve_of_cell(const struct leave_out *l, const struct leave_out_cell *c)
 /* ---- The covariance and its hyperparameters ---- */
 
 static void
-block_covariance_of_curves(const struct block *b, double *K)
+compute_smooth_curve_covariance(const struct block *b, double *K)
 {
 	double h[SMOOTHS];
 	for (size_t i = 0; i < SMOOTHS; i++)
@@ -129,7 +129,7 @@ static void
 block_fill_covariance(struct block *b)
 {
 	if (b->smooth)
-		block_covariance_of_curves(b, b->U);
+		compute_smooth_curve_covariance(b, b->U);
 	else
 		discrepancy_fill_covariance(
 		    ISA_BEST, b->cell, b->n, b->hyper, b->U);
@@ -250,8 +250,8 @@ standardise_joint_values(const struct leave_out *l, const double *U)
 /* Returns z of a cell.  Sets *shift and *sd to its shift and the standard
  * deviation of the shift. */
 static double
-z_of_cell(const struct leave_out *l, const double *U, const double *y,
-    size_t cell, double *shift, double *sd)
+z_score_of_left_out_cell(const struct leave_out *l, const double *U,
+    const double *y, size_t cell, double *shift, double *sd)
 {
 	FREED double *u = xcalloc_doubles(l->n);
 	double dot = 0, squares = 0;
@@ -310,7 +310,7 @@ find_cells_of_largest_z(struct leave_out *l, size_t *cell)
 	double shift, sd;
 	size_t n = 0;
 	for (size_t c = 0; c < l->n; c++) {
-		z[c] = fabs(z_of_cell(l, U, y, c, &shift, &sd));
+		z[c] = fabs(z_score_of_left_out_cell(l, U, y, c, &shift, &sd));
 		bool counts = !l->dropped[c] && isfinite(z[c]);
 		z[c] = counts ? z[c] : -1;
 		n += counts;
@@ -331,7 +331,7 @@ minus_log_posterior_at_best_hypers(struct leave_out *l)
 /* Returns the shift of a cell with the hyperparameters that are most probable
  * if the cell is left out. */
 static struct leave_out_shift
-shift_of_cell_left_out(struct leave_out *l, size_t cell, double level)
+compare_left_out_cell_to_others(struct leave_out *l, size_t cell, double level)
 {
 	struct leave_out_shift s = {.cell = cell};
 	double was[BLOCKS][HYPERS], shift;
@@ -342,7 +342,7 @@ shift_of_cell_left_out(struct leave_out *l, size_t cell, double level)
 	set_cell_left_out(l, cell, -1);
 	FREED double *U = factor_joint_covariance(l),
 		     *y = standardise_joint_values(l, U);
-	s.z = z_of_cell(l, U, y, cell, &shift, &s.sd);
+	s.z = z_score_of_left_out_cell(l, U, y, cell, &shift, &s.sd);
 	fill_expected_passing(l, &s, shift);
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(l->block[k].hyper, was[k], sizeof was[k]);
@@ -352,12 +352,12 @@ shift_of_cell_left_out(struct leave_out *l, size_t cell, double level)
 struct leave_out_shift
 leave_out_shift_of_cell(struct leave_out *l, size_t cell)
 {
-	return shift_of_cell_left_out(
+	return compare_left_out_cell_to_others(
 	    l, cell, minus_log_posterior_at_best_hypers(l));
 }
 
 struct leave_out_shift
-leave_out_worst_shift(struct leave_out *l)
+leave_out_find_worst_cell(struct leave_out *l)
 {
 	struct leave_out_shift worst = {.gain = -INFINITY};
 	size_t cell[CLOSE];
@@ -365,7 +365,7 @@ leave_out_worst_shift(struct leave_out *l)
 	size_t n = find_cells_of_largest_z(l, cell);
 	for (size_t i = 0; i < n; i++) {
 		struct leave_out_shift s =
-		    shift_of_cell_left_out(l, cell[i], level);
+		    compare_left_out_cell_to_others(l, cell[i], level);
 		bool first = s.gain == worst.gain && s.cell < worst.cell;
 		if (isfinite(s.z) && (s.gain > worst.gain || first))
 			worst = s;
@@ -410,7 +410,8 @@ list_checkable_cells(struct leave_out *l, const struct posterior *posterior)
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *psd = &site->run[r].product;
 		size_t covered = misfit_count_covered_sieves(&site->run[r]);
-		size_t idle = misfit_count_idle_sieves(&site->run[r], top);
+		size_t idle =
+		    misfit_count_uninformative_sieves(&site->run[r], top);
 		for (size_t i = 0; i < psd->n; i++)
 			if (posterior != NULL
 				? i >= idle && i < covered
@@ -440,7 +441,7 @@ is_first_sieve_below_100_percent(const struct leave_out *l, size_t cell)
 
 /* Returns ln of the mean energy of the runs. */
 static double
-mean_log_energy(const struct site *site)
+log_mean_energy(const struct site *site)
 {
 	double sum = 0, n = 0;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -452,16 +453,17 @@ mean_log_energy(const struct site *site)
 }
 
 static void
-fill_block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
+fill_covariance_of_smooth_curves(
+    struct leave_out *l, struct block *b, bool feed)
 {
-	double middle = mean_log_energy(l->site);
+	double middle = log_mean_energy(l->site);
 	for (size_t i = 0; i < b->n; i++) {
 		size_t c = b->first + i;
 		double P = l->passing[c], v = l->site->run[l->of[c].run].speed;
 		double x = curve_of_cell(l, &l->of[c])->size[l->of[c].sieve];
 		b->cell[i] = (struct cell){.run = l->of[c].run,
 		    .log_size = el_log(x),
-		    .t = feed ? 0 : discrepancy_speed_to_t(v, middle),
+		    .t = feed ? 0 : discrepancy_speed_to_coordinate(v, middle),
 		    .h = discrepancy_scale_at_passing(P)};
 		b->value[i] = logit(P);
 		b->slope[i] = 1 / (P * (1 - P));
@@ -492,7 +494,7 @@ fill_block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
  * that may move a passing by more than `far` is practically free, and a larger
  * variance would drown the errors in rounding. */
 static void
-add_covariance_of_parameter(
+add_covariance_within_param_bounds(
     struct block *b, const double *J, size_t n, double wide)
 {
 	const double far = 10;
@@ -522,11 +524,11 @@ fill_block_of_residuals(
 		b->slope[i] = l->shift[i * l->n + i] = 1;
 		b->cell[i] = (struct cell){.run = c->run,
 		    .log_size = el_log(run->product.size[c->sieve]),
-		    .t = discrepancy_speed_to_t(run->speed, p->middle),
+		    .t = discrepancy_speed_to_coordinate(run->speed, p->middle),
 		    .h = discrepancy_scale_at_passing(P - b->value[i] / 2)};
 	}
 	for (size_t j = 0; j < n; j++)
-		add_covariance_of_parameter(
+		add_covariance_within_param_bounds(
 		    b, J + j, n, (p->bounds.upper[j] - p->bounds.lower[j]) / 2);
 	for (size_t k = 0; k < HYPERS; k++)
 		b->hyper[k] = el_log(HYPER[k].median);
@@ -547,8 +549,8 @@ product_change_per_feed_passing(const struct run *run, size_t sieve,
 		feed.passing[sieve] += k == 1 ? more : -more;
 		struct model *model =
 		    model_new(&feed, run->product.size, n, p->settings);
-		model_use_params(model, &p->fit);
-		model_product(model, run->speed, product[k]);
+		model_set_params(model, &p->fit);
+		model_compute_product(model, run->speed, product[k]);
 		model_free(model);
 		psd_free(&feed);
 	}
@@ -584,7 +586,7 @@ fill_products_response_to_feed(
 /* Adds the feeds' own errors to the products, and their covariance with the
  * feeds. */
 static void
-add_feed_errors(struct leave_out *l)
+add_feed_error_covariance(struct leave_out *l)
 {
 	struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
 	for (size_t c = 0; c < f->n; c++) {
@@ -628,15 +630,15 @@ leave_out_new(
 	for (size_t i = 0; i < l->n; i++)
 		l->passing[i] =
 		    curve_of_cell(l, &l->of[i])->passing[l->of[i].sieve];
-	fill_block_of_smooth_curves(l, &l->block[FEEDS], true);
+	fill_covariance_of_smooth_curves(l, &l->block[FEEDS], true);
 	if (posterior == NULL) {
-		fill_block_of_smooth_curves(l, &l->block[PRODUCTS], false);
+		fill_covariance_of_smooth_curves(l, &l->block[PRODUCTS], false);
 		return l;
 	}
 	fill_block_of_residuals(l, &l->block[PRODUCTS], posterior);
 	for (size_t c = l->block[FEEDS].first; c < l->n; c++)
 		fill_products_response_to_feed(l, c, posterior);
-	add_feed_errors(l);
+	add_feed_error_covariance(l);
 	return l;
 }
 

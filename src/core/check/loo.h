@@ -60,7 +60,7 @@ struct leave_out_shift {
 
 /* Returns the cell without which the others agree best; z is 0 if there is no
  * cell to check. */
-struct leave_out_shift leave_out_worst_shift(struct leave_out *l);
+struct leave_out_shift leave_out_find_worst_cell(struct leave_out *l);
 
 struct leave_out_shift leave_out_shift_of_cell(
     struct leave_out *l, size_t cell);

@@ -54,10 +54,11 @@ add_outlier_finding(struct outlier_findings *d, struct mend mend)
 /* ---- Columns ---- */
 
 static bool
-is_coarser_than_feed(const struct psd *product, const struct psd *feed)
+is_product_coarser_than_feed(const struct psd *product, const struct psd *feed)
 {
 	const double sampling = 0.02, on_the_whole = 0.01;
-	struct passing_order o = trust_compare_slow_with_fast(feed, product);
+	struct passing_order o =
+	    trust_compare_slow_fast_products(feed, product);
 	return o.most > sampling && o.mean > on_the_whole;
 }
 
@@ -68,7 +69,7 @@ are_products_finer_than_feeds(const struct site *site)
 	bool ok = true;
 	for (size_t r = 0; r < site->n_run; r++)
 		ok = ok && (site->run[r].product.n == 0 ||
-			       !is_coarser_than_feed(
+			       !is_product_coarser_than_feed(
 				   &site->run[r].product, &site->run[r].feed));
 	return ok;
 }
@@ -82,7 +83,7 @@ find_feeds_swapped_with_products(
 		struct mend m = {.kind = MEND_SWAP_FEED, .run = r};
 		if (run->product.n == 0 ||
 		    (site->individual_feeds && run->lacks_feed) ||
-		    !is_coarser_than_feed(&run->product, &run->feed))
+		    !is_product_coarser_than_feed(&run->product, &run->feed))
 			continue;
 		struct site *other = site_with_mend(site, &m, NULL);
 		if (other != NULL &&
@@ -90,10 +91,10 @@ find_feeds_swapped_with_products(
 			are_products_finer_than_feeds(other))) {
 			struct finding *f = add_outlier_finding(d, m);
 			const struct run *now = &other->run[r];
-			f->off[0] = trust_compare_slow_with_fast(
+			f->off[0] = trust_compare_slow_fast_products(
 			    &run->feed, &run->product)
 					.mean;
-			f->off[1] = fmax(0, trust_compare_slow_with_fast(
+			f->off[1] = fmax(0, trust_compare_slow_fast_products(
 						&now->feed, &now->product)
 						.mean);
 		}
@@ -113,7 +114,7 @@ coarsening_with_speed(const struct site *site)
 		if (run->product.n == 0)
 			continue;
 		if (slow != NULL && slow->speed < run->speed)
-			sum += fmax(0, trust_compare_slow_with_fast(
+			sum += fmax(0, trust_compare_slow_fast_products(
 					   &slow->product, &run->product)
 					   .mean);
 		slow = run;
@@ -177,7 +178,7 @@ struct line_sums {
 };
 
 static double
-line_value_at_energy(const struct line_sums *l, double e)
+regression_value_at_energy(const struct line_sums *l, double e)
 {
 	double mean = l->e / l->n, about = l->ee / l->n - mean * mean;
 	double slope = about > 1e-9 * mean * mean
@@ -210,8 +211,9 @@ distance_from_other_products(const struct site *site, size_t at)
 		}
 		if (l.n < 2)
 			continue;
-		double by = run->product.passing[i] -
-			    line_value_at_energy(&l, run->speed * run->speed);
+		double by =
+		    run->product.passing[i] -
+		    regression_value_at_energy(&l, run->speed * run->speed);
 		squares += by * by;
 		n++;
 	}
@@ -252,7 +254,7 @@ find_column_moved_by_a_sieve(
 
 /* Returns the distance, after a mend, of the run that fits the others worst. */
 static double
-largest_distance_after_mend(const struct site *site, const struct mend *m)
+worst_run_distance_after_mend(const struct site *site, const struct mend *m)
 {
 	struct site *other = site_with_mend(site, m, NULL);
 	double most = 0;
@@ -267,14 +269,14 @@ largest_distance_after_mend(const struct site *site, const struct mend *m)
 /* A moved column makes speeds seem exchanged, and vice versa.  If both mends
  * were found, keeps the one that leaves the products more alike. */
 static void
-keep_mend_with_smoother_products(
+choose_mend_with_smoother_products(
     struct outlier_findings *d, const struct site *site)
 {
 	if (d->n < 2)
 		return;
 	const struct finding *f = d->finding;
-	if (largest_distance_after_mend(site, &f[1].mend) <
-	    largest_distance_after_mend(site, &f[0].mend))
+	if (worst_run_distance_after_mend(site, &f[1].mend) <
+	    worst_run_distance_after_mend(site, &f[0].mend))
 		d->finding[0] = f[1];
 	d->n = 1;
 }
@@ -326,7 +328,7 @@ distance_from_expected(const struct finding *f, double passing)
 /* Makes a reading the cell's mend if it is within three standard deviations of
  * the expected passing and nearer to it than any earlier reading. */
 static void
-consider_reading_as_mend(struct finding *f, double passing)
+try_passing_as_cell_mend(struct finding *f, double passing)
 {
 	double least = 0.001, near = 3 * f->sd + least;
 	bool taken = f->mend.kind == MEND_READ;
@@ -342,7 +344,7 @@ consider_reading_as_mend(struct finding *f, double passing)
  * before the point.  Returns the number of digits, or 0 if the passing seems
  * calculated, not typed. */
 static size_t
-digits_of_passing(double passing, char digits[static 16], size_t *point)
+split_passing_into_digits(double passing, char digits[static 16], size_t *point)
 {
 	double hundredths = passing * 1e4;
 	size_t n = 0;
@@ -362,7 +364,7 @@ digits_of_passing(double passing, char digits[static 16], size_t *point)
 }
 
 static double
-passing_of_digits(const char *digits, size_t point)
+passing_of_percent_digits(const char *digits, size_t point)
 {
 	double value = 0, place = 1;
 	for (size_t i = 0; digits[i] != '\0'; i++) {
@@ -374,33 +376,35 @@ passing_of_digits(const char *digits, size_t point)
 
 /* Considers two transposed digits, a digit typed twice, and a shifted point. */
 static void
-consider_digit_errors(struct finding *f)
+try_digit_errors_as_mends(struct finding *f)
 {
 	char digits[16], other[16];
-	size_t point, n = digits_of_passing(f->measured, digits, &point);
+	size_t point,
+	    n = split_passing_into_digits(f->measured, digits, &point);
 	for (size_t i = 0; i + 1 < n; i++) {
 		memcpy(other, digits, sizeof other);
 		other[i] = digits[i + 1];
 		other[i + 1] = digits[i];
 		if (digits[i] != digits[i + 1])
-			consider_reading_as_mend(
-			    f, passing_of_digits(other, point));
+			try_passing_as_cell_mend(
+			    f, passing_of_percent_digits(other, point));
 		memmove(other + i, digits + i + 1, n - i);
 		memcpy(other, digits, i);
 		if (digits[i] == digits[i + 1])
-			consider_reading_as_mend(
-			    f, passing_of_digits(other, point - (i < point)));
+			try_passing_as_cell_mend(
+			    f, passing_of_percent_digits(
+				   other, point - (i < point)));
 	}
 	if (n > 0) {
-		consider_reading_as_mend(f, round(f->measured * 1e13) / 1e12);
-		consider_reading_as_mend(f, round(f->measured * 1e11) / 1e12);
+		try_passing_as_cell_mend(f, round(f->measured * 1e13) / 1e12);
+		try_passing_as_cell_mend(f, round(f->measured * 1e11) / 1e12);
 	}
 }
 
 /* Adds a cell with its mend: a reading if there is one and the site is valid
  * with it, otherwise leaving the cell out. */
 static void
-add_finding_of_cell(struct outlier_findings *d, const struct site *site,
+add_outlier_finding_of_cell(struct outlier_findings *d, const struct site *site,
     const struct leave_out_cell *cell, const struct leave_out_shift *s)
 {
 	struct mend m = {
@@ -411,7 +415,7 @@ add_finding_of_cell(struct outlier_findings *d, const struct site *site,
 	f->measured = psd->passing[cell->sieve];
 	f->expected = s->expected;
 	f->sd = s->sd;
-	consider_digit_errors(f);
+	try_digit_errors_as_mends(f);
 	struct site *other = site_with_mend(site, &f->mend, NULL);
 	if (other == NULL)
 		f->mend = m;
@@ -431,22 +435,23 @@ refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 	struct misfit *misfit =
 	    misfit_new(less, NULL, NULL, false, p->settings);
 	struct polish *polish = polish_new(misfit);
-	polish_run(polish, &p->bounds, MOST, NULL, &p->fit);
-	params_scale_gauge_to_1(&p->fit);
+	polish_minimise_misfit(polish, &p->bounds, MOST, NULL, &p->fit);
+	params_scale_largest_beta_to_1(&p->fit);
 	polish_free(polish);
 	misfit_free(misfit);
 	site_free(less);
 }
 
 static double
-passing_of_cell(const struct site *site, const struct leave_out_cell *c)
+measured_passing_of_cell(
+    const struct site *site, const struct leave_out_cell *c)
 {
 	return site_feed_or_product(site, c->run, c->feed)->passing[c->sieve];
 }
 
 /* Returns how far a cell is off its curve, without using a model. */
 static struct leave_out_shift
-shift_of_cell_off_curve(
+compare_cell_with_its_curve(
     const struct site *site, double noise, const struct leave_out_cell *cell)
 {
 	struct leave_out *l = leave_out_new(site, NULL, noise);
@@ -483,20 +488,20 @@ find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
 	    leave_out_new_without_cells(site, p, noise, found, n);
 	struct leave_out_shift s = {.gain = 0};
 	if (leave_out_count_cells(l) > n)
-		s = leave_out_worst_shift(l);
+		s = leave_out_find_worst_cell(l);
 	struct leave_out_cell c = {.feed = false};
 	bool tell = s.gain > fmin(SURPRISE_PRODUCT, SURPRISE_FEED);
 	if (tell)
 		c = leave_out_get_cell(l, s.cell);
 	leave_out_free(l);
 	tell = tell && s.gain > (c.feed ? SURPRISE_FEED : SURPRISE_PRODUCT) &&
-	       fabs(s.expected - passing_of_cell(site, &c)) > WORTH;
+	       fabs(s.expected - measured_passing_of_cell(site, &c)) > WORTH;
 	if (!tell)
 		return false;
 	found[n] = s.cell;
-	if (c.feed &&
-	    !(shift_of_cell_off_curve(site, noise, &c).z * copysign(1, s.z) >
-		FEED_OFF))
+	if (c.feed && !(compare_cell_with_its_curve(site, noise, &c).z *
+			      copysign(1, s.z) >
+			  FEED_OFF))
 		return true;
 	struct mend m = {.feed = c.feed, .run = c.run};
 	m.size = site_feed_or_product(site, m.run, m.feed)->size[c.sieve];
@@ -505,9 +510,9 @@ find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
 	double gain = s.gain;
 	s = leave_out_shift_of_cell(l, s.cell);
 	leave_out_free(l);
-	if (!(fabs(s.expected - passing_of_cell(site, &c)) > WORTH))
+	if (!(fabs(s.expected - measured_passing_of_cell(site, &c)) > WORTH))
 		return false;
-	add_finding_of_cell(d, site, &c, &s);
+	add_outlier_finding_of_cell(d, site, &c, &s);
 	d->finding[d->n - 1].surprise = gain;
 	return true;
 }
@@ -529,7 +534,7 @@ find_surprising_cells(struct outlier_findings *d, const struct site *site,
 /* Lists the curves of the feeds or of the products, and their runs.  Returns
  * their number. */
 static size_t
-list_feed_or_product_curves(
+collect_feed_or_product_curves(
     const struct site *site, bool feed, const struct psd **curve, size_t *run)
 {
 	size_t n = 0;
@@ -544,22 +549,23 @@ list_feed_or_product_curves(
 }
 
 static void
-find_most_bent_cell(struct outlier_findings *d, const struct site *site,
+find_cell_off_smooth_curve(struct outlier_findings *d, const struct site *site,
     bool feed, double noise)
 {
 	FREED const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
 	FREED size_t *run = xcalloc(site->n_run, sizeof *run);
-	size_t n = list_feed_or_product_curves(site, feed, curve, run);
+	size_t n = collect_feed_or_product_curves(site, feed, curve, run);
 	struct psd_outlier o = psd_find_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	struct leave_out_cell cell = {feed, run[o.curve], o.sieve};
 	if (!(fabs(o.off) > most))
 		return;
-	struct leave_out_shift s = shift_of_cell_off_curve(site, noise, &cell);
+	struct leave_out_shift s =
+	    compare_cell_with_its_curve(site, noise, &cell);
 	/* A curve with few sieves may bend where the others show why. */
-	if (fabs(s.expected - passing_of_cell(site, &cell)) < s.sd)
+	if (fabs(s.expected - measured_passing_of_cell(site, &cell)) < s.sd)
 		return;
-	add_finding_of_cell(d, site, &cell, &s);
+	add_outlier_finding_of_cell(d, site, &cell, &s);
 }
 
 /* ---- All ---- */
@@ -588,7 +594,7 @@ count_cells_of_site(const struct site *site)
 /* Keeps the mends that are possible (dropping the only run is not), and
  * computes the errors of the fit before and after each. */
 static void
-keep_possible_mends(struct outlier_findings *d, const struct site *site,
+remove_impossible_mends(struct outlier_findings *d, const struct site *site,
     const struct posterior *p)
 {
 	size_t n = 0;
@@ -618,7 +624,7 @@ outliers_find(
 	if (d.n == 0) {
 		find_exchanged_products(&d, site);
 		find_column_moved_by_a_sieve(&d, site);
-		keep_mend_with_smoother_products(&d, site);
+		choose_mend_with_smoother_products(&d, site);
 	}
 	bool columns = d.n > 0;
 	find_copied_products(&d, site);
@@ -629,10 +635,10 @@ outliers_find(
 	if (look && posterior != NULL)
 		find_surprising_cells(&d, site, posterior, noise);
 	if (look && posterior == NULL) {
-		find_most_bent_cell(&d, site, true, noise);
-		find_most_bent_cell(&d, site, false, noise);
+		find_cell_off_smooth_curve(&d, site, true, noise);
+		find_cell_off_smooth_curve(&d, site, false, noise);
 	}
-	keep_possible_mends(&d, site, posterior);
+	remove_impossible_mends(&d, site, posterior);
 	return d;
 }
 

@@ -45,12 +45,12 @@ static const double WIDE = 0.05, VERY_WIDE = 0.15, OTHER_FEED = 0.1,
  * remove, because some of the runs may not have been used for training.
  * Returns the number of independent steps. */
 static double
-remove_parameter_steps(struct misfit *m, const struct fit *fit,
+project_out_parameter_steps(struct misfit *m, const struct fit *fit,
     const struct bounds *bounds, double *d)
 {
 	double *basis = xcalloc_doubles(m->n_residual * PARAMS_MOST);
 	struct sensitivity s =
-	    sensitivity_at_params(m, &fit->params, bounds, true, basis);
+	    sensitivity_of_misfit(m, &fit->params, bounds, true, basis);
 	for (size_t c = 0; c < s.n; c++) {
 		double along = 0;
 		for (size_t i = 0; i < m->n_residual; i++)
@@ -102,9 +102,10 @@ broken_share_of_breakable(const struct misfit *m, const struct params *p)
 	    params_break_size_by_impacts(p, &m->settings, m->run[0].speed);
 	double above =
 	    x > 0 && isfinite(x) ? 1 - psd_passing(&m->run[0].feed, x) : NAN;
-	model_use_params(m->model[0], p);
+	model_set_params(m->model[0], p);
 	return above > 0.01
-		   ? model_share_selected(m->model[0], m->run[0].speed) / above
+		   ? model_broken_feed_share(m->model[0], m->run[0].speed) /
+			 above
 		   : NAN;
 }
 
@@ -115,7 +116,7 @@ trust_median_of_draws(double *value)
 }
 
 static void
-trust_summarise_draws(struct evidence *e, const struct posterior *p,
+trust_summarise_posterior(struct evidence *e, const struct posterior *p,
     const struct fit *fit, double finest)
 {
 	enum { N = POSTERIOR_DRAWS };
@@ -217,8 +218,8 @@ add_weighted_product(double *passing, const struct psd *feed,
 {
 	double *product = xcalloc_doubles(n);
 	struct model *model = model_new(feed, sieve, n, fit->settings);
-	model_use_params(model, &fit->params);
-	model_product(model, v, product);
+	model_set_params(model, &fit->params);
+	model_compute_product(model, v, product);
 	for (size_t i = 0; i < n; i++)
 		passing[i] += share * product[i];
 	model_free(model);
@@ -249,8 +250,8 @@ product_moved_to_mean_feed(
 /* Returns the sum of the squared differences, over n sieves, between a run's
  * product and the fit's product of a feed. */
 static double
-sum_squares_with_feed(const struct run *run, const struct psd *feed, size_t n,
-    const struct fit *fit)
+sum_squared_run_misfit_for_feed(const struct run *run, const struct psd *feed,
+    size_t n, const struct fit *fit)
 {
 	double sum = 0, *d = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
@@ -263,7 +264,7 @@ sum_squares_with_feed(const struct run *run, const struct psd *feed, size_t n,
 }
 
 bool
-trust_feeds_mislead(
+trust_are_feeds_misleading(
     const struct site *site, const struct fit *fit, double *own, double *mean)
 {
 	/* For 90 synthetic plants whose products follow their feeds, the ratio
@@ -279,8 +280,9 @@ trust_feeds_mislead(
 			n--;
 		if (n == 0 || run->lacks_feed)
 			continue;
-		squares[0] += sum_squares_with_feed(run, &run->feed, n, fit);
-		squares[1] += sum_squares_with_feed(run, all, n, fit);
+		squares[0] +=
+		    sum_squared_run_misfit_for_feed(run, &run->feed, n, fit);
+		squares[1] += sum_squared_run_misfit_for_feed(run, all, n, fit);
 		cells += n;
 	}
 	if (cells == 0)
@@ -303,9 +305,10 @@ find_contradicting_runs(struct evidence *e, const struct site *site,
 			const struct run *slow = &site->run[k],
 					 *fast = &site->run[r];
 			struct passing_order o =
-			    trust_compare_slow_with_fast(&moved[k], &moved[r]);
+			    trust_compare_slow_fast_products(
+				&moved[k], &moved[r]);
 			if (slow->speed < fast->speed &&
-			    trust_is_order_wrong(&o) &&
+			    trust_is_product_order_wrong(&o) &&
 			    o.most > e->against.order.most) {
 				e->against.slow = slow->speed;
 				e->against.fast = fast->speed;
@@ -326,7 +329,7 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	struct evidence e = {.cells = fit->cells,
 	    .parameters = fit->parameters,
 	    .rmse = fit->rmse,
-	    .like_feed = trust_is_no_product_finer(site) ||
+	    .like_feed = trust_are_products_like_feed(site) ||
 			 fit->misfit > (1 - FIT_LEAST_GAIN) * fit->feed_misfit,
 	    .discrepancy = NAN,
 	    .sampling = NAN,
@@ -341,7 +344,7 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	double *sieve = site_all_sieves(site, &n);
 	misfit_weighted_differences(m, &fit->params, d);
 	compare_residuals_with_errors(
-	    &e, m, d, remove_parameter_steps(m, fit, bounds, d), noise);
+	    &e, m, d, project_out_parameter_steps(m, fit, bounds, d), noise);
 	find_measured_speed_range(&e, m);
 	find_worst_holdout(&e, site, train, fit);
 	e.outlier = trust_find_outlier_cell(site, train, fit);
@@ -350,7 +353,7 @@ trust_gather_evidence(const struct site *site, const bool *train,
 		      params_break_size_by_impacts(&fit->params, &fit->settings,
 			  e.slowest) < sieve[n - 1];
 	if (posterior != NULL) {
-		trust_summarise_draws(&e, posterior, fit, sieve[n - 1]);
+		trust_summarise_posterior(&e, posterior, fit, sieve[n - 1]);
 		e.halves = largest_difference_of_draw_halves(
 		    &e, posterior, site, sieve, n);
 	}
@@ -377,7 +380,8 @@ trust_add_reason(
 }
 
 static void
-judge_fit_and_data(struct trust *t, const struct evidence *e, double rotor)
+add_fit_and_data_trust_reasons(
+    struct trust *t, const struct evidence *e, double rotor)
 {
 	FREED char *rpm = rotor_speed_rpm_text(rotor, e->slowest, NAN);
 	size_t spare =
@@ -426,7 +430,8 @@ judge_fit_and_data(struct trust *t, const struct evidence *e, double rotor)
 /* Adds the reasons that arise from runs that contradict each other, and from a
  * fit that no crusher can have. */
 static void
-judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
+add_contradiction_trust_reasons(
+    struct trust *t, const struct evidence *e, double rotor)
 {
 	FREED char *fast = rotor_speed_rpm_text(rotor, e->against.fast, NAN);
 	FREED char *slow = rotor_speed_rpm_text(rotor, e->against.slow, NAN);
@@ -451,7 +456,7 @@ judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 }
 
 static int
-grade_of_warning_sign(double value, struct warning_sign sign)
+count_exceeded_trust_limits(double value, struct warning_sign sign)
 {
 	return (value > sign.weak) + (value > sign.strong);
 }
@@ -470,7 +475,7 @@ is_supported_by_measurements(
 
 /* Adds a pattern in the residuals as a reason or as a remark. */
 static void
-add_pattern_reason(struct trust *t, bool remark, char *text)
+add_residual_pattern_reason(struct trust *t, bool remark, char *text)
 {
 	if (remark)
 		t->remark[t->remarks++] = text;
@@ -482,35 +487,35 @@ static void
 judge_residual_pattern(struct trust *t, const struct evidence *e, bool remark)
 {
 	double finer = fabs(e->finer) / e->finer_sd;
-	int size = grade_of_warning_sign(e->size, SIZE),
-	    alike = grade_of_warning_sign(e->alike, ALIKE);
-	int more = grade_of_warning_sign(e->more, MORE),
-	    drift = grade_of_warning_sign(finer, FINER);
+	int size = count_exceeded_trust_limits(e->size, SIZE),
+	    alike = count_exceeded_trust_limits(e->alike, ALIKE);
+	int more = count_exceeded_trust_limits(e->more, MORE),
+	    drift = count_exceeded_trust_limits(finer, FINER);
 	if (size + alike + more + drift < 2)
 		return;
 	if (size > 0)
-		add_pattern_reason(t, remark,
+		add_residual_pattern_reason(t, remark,
 		    xasprintf(
 			tr("the residuals are %.1f times as large as usual "
 			   "sampling errors: the model misses something, or "
 			   "the samples are biased"),
 			sqrt(e->size)));
 	if (alike > 0)
-		add_pattern_reason(t, remark,
+		add_residual_pattern_reason(t, remark,
 		    xasprintf(
 			tr("residuals of neighbouring sieves are alike "
 			   "(%.1f sd more than by chance): the model misses "
 			   "something, or whole samples are biased"),
 			e->alike));
 	if (more > 0)
-		add_pattern_reason(t, remark,
+		add_residual_pattern_reason(t, remark,
 		    xasprintf(
 			tr("what the model leaves out (%.1f points) is no "
 			   "smaller than the sampling errors (%.1f): the "
 			   "answer is as much correction as model"),
 			100 * e->discrepancy, 100 * e->sampling));
 	if (drift > 0)
-		add_pattern_reason(t, remark,
+		add_residual_pattern_reason(t, remark,
 		    xasprintf(tr("the residuals follow the speed, as if "
 				 "particles became %s with energy (gamma + "
 				 "kappa %.2f \302\261 %.2f): beyond the "
@@ -520,7 +525,7 @@ judge_residual_pattern(struct trust *t, const struct evidence *e, bool remark)
 }
 
 static void
-judge_holdout(struct trust *t, const struct evidence *e, double rotor)
+judge_holdout_error(struct trust *t, const struct evidence *e, double rotor)
 {
 	const struct validation *v = &e->holdout;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, v->speed, NAN);
@@ -533,7 +538,7 @@ judge_holdout(struct trust *t, const struct evidence *e, double rotor)
 		    xasprintf(tr("at %g m/s%s, held out, the model misses by "
 				 "%.1f points on average"),
 			v->speed, rpm, 100 * own));
-	else if (validation_loses_to_interpolation(v) &&
+	else if (validation_is_interpolation_better(v) &&
 		 own > 1.2 * line + 0.001)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_HOLDOUT,
 		    xasprintf(tr("at %g m/s%s, held out, the model misses by "
@@ -543,7 +548,8 @@ judge_holdout(struct trust *t, const struct evidence *e, double rotor)
 }
 
 static void
-judge_outlier_cell(struct trust *t, const struct evidence *e, double rotor)
+judge_trust_by_outlier_cell(
+    struct trust *t, const struct evidence *e, double rotor)
 {
 	const struct validation *v = &e->outlier;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, v->speed, NAN);
@@ -558,7 +564,8 @@ judge_outlier_cell(struct trust *t, const struct evidence *e, double rotor)
 }
 
 static void
-judge_threshold_bounds(struct trust *t, const struct evidence *e, double rotor)
+add_trust_reason_unbounded_params(
+    struct trust *t, const struct evidence *e, double rotor)
 {
 	FREED char *rpm = rotor_speed_rpm_text(rotor, e->slowest, NAN);
 	if (e->unbounded > 0.05)
@@ -615,11 +622,11 @@ judge_extrapolated_speed(
 			   "answer rests on the model, not on measurements"),
 			beyond, rpm));
 	if (slow)
-		judge_threshold_bounds(t, e, rotor);
+		add_trust_reason_unbounded_params(t, e, rotor);
 }
 
 static void
-judge_question(struct trust *t, const struct trust_question *q)
+judge_band_feed_and_bound(struct trust *t, const struct trust_question *q)
 {
 	if (q->width > WIDE)
 		trust_add_reason(t,
@@ -653,11 +660,11 @@ trust_judge_answer(
 		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
 		    xstrdup(tr("the products are not measurably finer than the "
 			       "feed: there is nothing to calibrate on")));
-	judge_fit_and_data(t, e, q->rotor);
-	judge_contradictions(t, e, q->rotor);
+	add_fit_and_data_trust_reasons(t, e, q->rotor);
+	add_contradiction_trust_reasons(t, e, q->rotor);
 	if (!e->like_feed) {
-		judge_holdout(t, e, q->rotor);
-		judge_outlier_cell(t, e, q->rotor);
+		judge_holdout_error(t, e, q->rotor);
+		judge_trust_by_outlier_cell(t, e, q->rotor);
 	}
 	/* The speed comes before the pattern, because an answer shows only its
 	 * first reason. */
@@ -666,7 +673,7 @@ trust_judge_answer(
 	if (!e->like_feed)
 		judge_residual_pattern(
 		    t, e, is_supported_by_measurements(e, q));
-	judge_question(t, q);
+	judge_band_feed_and_bound(t, q);
 }
 
 bool
@@ -686,7 +693,7 @@ trust_free(struct trust *t)
 }
 
 double
-trust_change_per_parameter_sd(const struct posterior *p, struct ensemble *e,
+trust_answer_change_per_param_sd(const struct posterior *p, struct ensemble *e,
     size_t n, const char *parameter)
 {
 	enum { N = POSTERIOR_DRAWS };
@@ -731,7 +738,7 @@ passing_known_at_least(const struct psd *curve, double x)
 }
 
 struct passing_order
-trust_compare_slow_with_fast(const struct psd *slow, const struct psd *fast)
+trust_compare_slow_fast_products(const struct psd *slow, const struct psd *fast)
 {
 	struct passing_order o = {0};
 	double sum = 0, n = 0;
@@ -770,7 +777,7 @@ most_gained_by_crushing(const struct run *run)
 }
 
 bool
-trust_is_no_product_finer(const struct site *site)
+trust_are_products_like_feed(const struct site *site)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -785,7 +792,7 @@ trust_is_no_product_finer(const struct site *site)
 }
 
 bool
-trust_is_order_wrong(const struct passing_order *o)
+trust_is_product_order_wrong(const struct passing_order *o)
 {
 	const double on_the_whole = 0.003, far = 0.05;
 	return o->most > ORDER_NOTABLE &&

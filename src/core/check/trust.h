@@ -42,19 +42,20 @@ bool trust_is_band_impossible(double rmse, size_t speeds);
 struct passing_order {
 	double most, at, mean;
 };
-struct passing_order trust_compare_slow_with_fast(
+struct passing_order trust_compare_slow_fast_products(
     const struct psd *slow, const struct psd *fast);
 
 /* A largest difference above ORDER_NOTABLE deserves a remark, but sampling may
- * explain it.  trust_is_order_wrong returns true if the difference, at one
- * sieve or on average, is more than sampling explains.  Of 180 sheets with 1
- * point of noise, 29 exceed ORDER_NOTABLE somewhere, and 3 are called wrong. */
+ * explain it.  trust_is_product_order_wrong returns true if the difference, at
+ * one sieve or on average, is more than sampling explains.  Of 180 sheets with
+ * 1 point of noise, 29 exceed ORDER_NOTABLE somewhere, and 3 are called wrong.
+ */
 #define ORDER_NOTABLE 0.02
-bool trust_is_order_wrong(const struct passing_order *o);
+bool trust_is_product_order_wrong(const struct passing_order *o);
 
 /* True if there are products and no sieve of any product passes more than its
  * feed does by over SAMPLES_AGREE. */
-bool trust_is_no_product_finer(const struct site *site);
+bool trust_are_products_like_feed(const struct site *site);
 
 /* Returns the product cell (worst_sieve) furthest from the fit, if further than
  * a careful sample would be; otherwise worst_difference is 0. */
@@ -179,7 +180,7 @@ void trust_free(struct trust *t);
 /* Returns the change in an ensemble's answers, passing 0..1, for one standard
  * deviation of a parameter: the root mean square over n sizes, at the
  * ensemble's speed. */
-double trust_change_per_parameter_sd(const struct posterior *p,
+double trust_answer_change_per_param_sd(const struct posterior *p,
     struct ensemble *e, size_t n, const char *parameter);
 
 /* Returns the largest difference between two feeds, passing 0..1. */
@@ -190,7 +191,7 @@ double trust_largest_feed_difference(const struct psd *a, const struct psd *b);
  * Returns true if the mean is clearly better, that is, if the products do not
  * follow the differences between the feeds.  If false, *own and *mean may be
  * unset. */
-bool trust_feeds_mislead(
+bool trust_are_feeds_misleading(
     const struct site *site, const struct fit *fit, double *own, double *mean);
 
 #endif

@@ -22,7 +22,7 @@ is_training_product(const struct site *site, const bool *train, size_t r)
 /* Returns the nearest training speed at or below a speed or, if `above` is
  * true, above it; NAN if there is none. */
 static double
-next_training_speed(
+training_speed_below_or_above(
     const struct site *site, const bool *train, double speed, bool above)
 {
 	double next = NAN;
@@ -39,8 +39,8 @@ next_training_speed(
 static double
 nearest_training_speed(const struct site *site, const bool *train, double speed)
 {
-	double below = next_training_speed(site, train, speed, false);
-	double above = next_training_speed(site, train, speed, true);
+	double below = training_speed_below_or_above(site, train, speed, false);
+	double above = training_speed_below_or_above(site, train, speed, true);
 	return above - speed < speed - below || isnan(below) ? above : below;
 }
 
@@ -50,14 +50,15 @@ static void
 find_speeds_to_interpolate(const struct site *site, const bool *train,
     double speed, double line[static 2])
 {
-	line[0] = next_training_speed(site, train, speed, false);
-	line[1] = next_training_speed(site, train, speed, true);
+	line[0] = training_speed_below_or_above(site, train, speed, false);
+	line[1] = training_speed_below_or_above(site, train, speed, true);
 	if (isnan(line[0])) {
 		line[0] = line[1];
-		line[1] = next_training_speed(site, train, line[0], true);
+		line[1] =
+		    training_speed_below_or_above(site, train, line[0], true);
 	} else if (isnan(line[1])) {
 		line[1] = line[0];
-		line[0] = next_training_speed(
+		line[0] = training_speed_below_or_above(
 		    site, train, nextafter(line[1], 0), false);
 	}
 	if (isnan(line[0])) {
@@ -83,7 +84,7 @@ measured_passing_at_size(const struct run *run, double x)
 /* Returns the mean passing at a size of the training products at one speed, or
  * NAN if it is not known for any of them. */
 static double
-mean_passing_at_speed(
+mean_measured_passing_at_speed(
     const struct site *site, const bool *train, double speed, double x)
 {
 	double sum = 0, n = 0;
@@ -101,13 +102,13 @@ mean_passing_at_speed(
 }
 
 double
-validate_interpolated_passing(
+validate_interpolate_passing(
     const struct site *site, const bool *train, double speed, double x)
 {
 	double line[2];
 	find_speeds_to_interpolate(site, train, speed, line);
-	double a = mean_passing_at_speed(site, train, line[0], x);
-	double b = mean_passing_at_speed(site, train, line[1], x);
+	double a = mean_measured_passing_at_speed(site, train, line[0], x);
+	double b = mean_measured_passing_at_speed(site, train, line[1], x);
 	double E_a = specific_energy_at_speed(line[0]),
 	       E_b = specific_energy_at_speed(line[1]);
 	double t = (specific_energy_at_speed(speed) - E_a) / (E_b - E_a);
@@ -120,8 +121,8 @@ fill_model_passings(const struct run *run, const struct params *p,
 {
 	struct model *model = model_new(&run->feed, run->product.size,
 	    misfit_count_covered_sieves(run), settings);
-	model_use_params(model, p);
-	model_product(model, run->speed, out);
+	model_set_params(model, p);
+	model_compute_product(model, run->speed, out);
 	model_free(model);
 }
 
@@ -141,8 +142,9 @@ validate_predict_by_way(const struct site *site, size_t run, const bool *train,
 		out[i] = way == VALIDATE_CORRECTED ? NAN
 			 : way == VALIDATE_FEED    ? psd_passing(&at->feed, x)
 			 : way == VALIDATE_NEAREST
-			     ? mean_passing_at_speed(site, train, nearest, x)
-			     : validate_interpolated_passing(
+			     ? mean_measured_passing_at_speed(
+				   site, train, nearest, x)
+			     : validate_interpolate_passing(
 				   site, train, at->speed, x);
 	}
 }
@@ -167,7 +169,7 @@ read_p20_p50_p80(const struct psd *sieves, const double *passing, size_t n,
 
 /* Scores a way's predictions at the covered sieves. */
 static void
-score_validation_way(struct validation *v, const struct site *site,
+score_prediction_method(struct validation *v, const struct site *site,
     enum validate_way way, const double *passing)
 {
 	const struct psd *product = &site->run[v->run].product;
@@ -212,15 +214,15 @@ validate_run_from_predictions(const struct site *site, size_t run,
 	    .holdout = !train[run],
 	    .n_sieve = n,
 	    .n_left_out = at->product.n - n,
-	    .n_idle =
-		misfit_count_idle_sieves(at, site_finest_sieve_all_pass(site)),
+	    .n_idle = misfit_count_uninformative_sieves(
+		at, site_finest_sieve_all_pass(site)),
 	    .nearest = nearest_training_speed(site, train, at->speed)};
 	find_speeds_to_interpolate(site, train, at->speed, v.line);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		v.measured[i] =
 		    psd_size_at_passing(&at->product, PSD_PASSING[i]);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
-		score_validation_way(&v, site, way, passing + way * n);
+		score_prediction_method(&v, site, way, passing + way * n);
 	return v;
 }
 
@@ -235,7 +237,7 @@ validate_run(const struct site *site, size_t run, const bool *train,
 }
 
 enum validate_way
-validate_best_way(const double rmse[static VALIDATE_WAYS])
+validate_way_of_least_rmse(const double rmse[static VALIDATE_WAYS])
 {
 	enum validate_way best = VALIDATE_MODEL;
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
@@ -245,14 +247,14 @@ validate_best_way(const double rmse[static VALIDATE_WAYS])
 }
 
 bool
-validation_loses_to_interpolation(const struct validation *v)
+validation_is_interpolation_better(const struct validation *v)
 {
 	return v->holdout &&
 	       v->rmse[VALIDATE_INTERPOLATION] < v->rmse[VALIDATE_MODEL];
 }
 
 bool
-validation_extrapolates(const struct validation *v)
+validation_is_extrapolated(const struct validation *v)
 {
 	return v->speed < v->line[0] || v->speed > v->line[1];
 }

@@ -64,21 +64,22 @@ struct validation validate_run_from_predictions(const struct site *site,
     size_t run, const bool *train, const double *passing);
 
 /* Returns the way with the smallest RMSE. */
-enum validate_way validate_best_way(const double rmse[static VALIDATE_WAYS]);
+enum validate_way validate_way_of_least_rmse(
+    const double rmse[static VALIDATE_WAYS]);
 
 /* True if the run was held out and the model predicts it worse than
  * interpolation between the measured training products does. */
-bool validation_loses_to_interpolation(const struct validation *v);
+bool validation_is_interpolation_better(const struct validation *v);
 
 /* True if the run's speed is outside the two speeds used for interpolation. */
-bool validation_extrapolates(const struct validation *v);
+bool validation_is_extrapolated(const struct validation *v);
 
 /* Returns the passing at size x, m, interpolated linearly in v^2 between the
  * measured products at the next training speeds below and above; beyond these
  * speeds, extrapolated from the nearest two.  Repeats at a speed are averaged.
  * Returns NAN if there are fewer than two speeds, or if a product used does not
  * cover x. */
-double validate_interpolated_passing(
+double validate_interpolate_passing(
     const struct site *site, const bool *train, double speed, double x);
 
 /* The score of one size over many runs.  bias, rms: mean and root mean square

@@ -31,7 +31,7 @@ polynomial_integral(const double beta[static 4], double u)
 /* Finds where the polynomial turns: the roots of its derivative strictly
  * between a and b, in rising order.  Returns their number. */
 static size_t
-find_turning_points(
+find_turning_points_of_cubic(
     const double beta[static 4], double a, double b, double at[2])
 {
 	double c = beta[1], d = 2 * beta[2], e = 3 * beta[3];
@@ -55,7 +55,7 @@ find_turning_points(
 /* Returns the root between a and b, where the polynomial is monotone and
  * changes sign.  Bisects down to neighbouring doubles. */
 static double
-find_root_between(const double beta[static 4], double a, double b)
+polynomial_root_between(const double beta[static 4], double a, double b)
 {
 	int rising = evaluate_polynomial(beta, b) > 0;
 	for (;;) {
@@ -72,10 +72,11 @@ find_root_between(const double beta[static 4], double a, double b)
 /* Sets edge to the ends of the intervals of one sign within [2^-10, 1],
  * including both ends.  Returns their number. */
 static size_t
-find_sign_changes(const double beta[static 4], double edge[static 5])
+find_polynomial_sign_changes(const double beta[static 4], double edge[static 5])
 {
 	double turn[2], stop[4];
-	size_t n_turn = find_turning_points(beta, APPEARANCE_FINEST, 1, turn);
+	size_t n_turn =
+	    find_turning_points_of_cubic(beta, APPEARANCE_FINEST, 1, turn);
 	size_t n_stop = 0, n = 0;
 	stop[n_stop++] = APPEARANCE_FINEST;
 	for (size_t i = 0; i < n_turn; i++)
@@ -87,7 +88,7 @@ find_sign_changes(const double beta[static 4], double edge[static 5])
 		double b = evaluate_polynomial(beta, stop[i]);
 		if ((a > 0) != (b > 0))
 			edge[n++] =
-			    find_root_between(beta, stop[i - 1], stop[i]);
+			    polynomial_root_between(beta, stop[i - 1], stop[i]);
 	}
 	edge[n++] = 1;
 	return n;
@@ -113,11 +114,11 @@ cumulate_piece_integrals(struct appearance *a)
 }
 
 struct appearance
-appearance_with_beta(const double beta[static 4])
+appearance_from_beta(const double beta[static 4])
 {
 	struct appearance a = {.beta = {beta[0], beta[1], beta[2], beta[3]}};
 	double edge[5];
-	size_t n = find_sign_changes(beta, edge);
+	size_t n = find_polynomial_sign_changes(beta, edge);
 	for (size_t i = 1; i < n; i++) {
 		double middle = edge[i - 1] + (edge[i] - edge[i - 1]) / 2;
 		if (!(evaluate_polynomial(beta, middle) > 0))

@@ -35,7 +35,7 @@ struct appearance {
 };
 
 /* Cannot fail. */
-struct appearance appearance_with_beta(const double beta[static 4]);
+struct appearance appearance_from_beta(const double beta[static 4]);
 
 /* Returns p(u), not normalised, clipped at 0.  Source: paper Eq 1. */
 double appearance_density(const double beta[static 4], double u);

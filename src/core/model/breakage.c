@@ -23,7 +23,7 @@ breakage_count_models(void)
 }
 
 const char *
-breakage_names(void)
+breakage_model_names(void)
 {
 	static char *names;
 	if (names == NULL) {
@@ -44,7 +44,7 @@ breakage_find_by_name(const char *name)
 }
 
 bool
-breakage_extends(size_t wide, size_t narrow)
+breakage_is_extension_of(size_t wide, size_t narrow)
 {
 	const struct breakage *of = BREAKAGES[narrow], *in = BREAKAGES[wide];
 	size_t j = 0;
@@ -55,7 +55,7 @@ breakage_extends(size_t wide, size_t narrow)
 }
 
 struct params
-breakage_params_in_wider(const struct params *p, size_t wide)
+breakage_params_in_wider_model(const struct params *p, size_t wide)
 {
 	const struct breakage *of = breakage_model_of_params(p);
 	struct params q = params_start_values(wide);
@@ -66,19 +66,20 @@ breakage_params_in_wider(const struct params *p, size_t wide)
 }
 
 struct params
-breakage_params_in_narrower(const struct params *p)
+breakage_params_in_narrower_model(const struct params *p)
 {
 	const struct breakage *of = breakage_model_of_params(p);
 	struct params best = *p;
 	for (size_t i = 0; i < breakage_count_models(); i++) {
-		if (!breakage_extends(p->breakage, i) ||
+		if (!breakage_is_extension_of(p->breakage, i) ||
 		    BREAKAGES[i]->n >= breakage_model_of_params(&best)->n)
 			continue;
 		struct params q = {.breakage = i};
 		for (size_t j = 0; j < BREAKAGES[i]->n; j++)
 			q.at[j] = params_value_by_name(
 			    p, BREAKAGES[i]->parameter[j].name);
-		struct params back = breakage_params_in_wider(&q, p->breakage);
+		struct params back =
+		    breakage_params_in_wider_model(&q, p->breakage);
 		if (of->reference < of->n)
 			back.at[of->reference] = p->at[of->reference];
 		if (memcmp(back.at, p->at, of->n * sizeof *back.at) == 0)
@@ -88,11 +89,11 @@ breakage_params_in_narrower(const struct params *p)
 }
 
 size_t
-breakage_widest_extension(size_t breakage)
+breakage_widest_containing_model(size_t breakage)
 {
 	size_t widest = breakage;
 	for (size_t i = 0; i < breakage_count_models(); i++)
-		if (breakage_extends(i, breakage) &&
+		if (breakage_is_extension_of(i, breakage) &&
 		    BREAKAGES[i]->reference < BREAKAGES[i]->n &&
 		    BREAKAGES[i]->n > BREAKAGES[widest]->n &&
 		    BREAKAGES[i]->bypass == BREAKAGES[breakage]->bypass)
@@ -138,7 +139,7 @@ specific_energy_at_speed(double v)
 }
 
 size_t
-params_largest_gauge_index(const struct params *p)
+params_index_of_largest_beta(const struct params *p)
 {
 	size_t largest = 0, gauge = breakage_model_of_params(p)->gauge;
 	for (size_t j = 1; j < gauge; j++)
@@ -148,16 +149,16 @@ params_largest_gauge_index(const struct params *p)
 }
 
 double
-params_largest_of_gauge(const struct params *p)
+params_largest_beta(const struct params *p)
 {
-	size_t j = params_largest_gauge_index(p);
+	size_t j = params_index_of_largest_beta(p);
 	return j < PARAMS_MOST ? fabs(p->at[j]) : 0;
 }
 
 void
-params_scale_gauge_to_1(struct params *p)
+params_scale_largest_beta_to_1(struct params *p)
 {
-	double largest = params_largest_of_gauge(p);
+	double largest = params_largest_beta(p);
 	for (size_t j = 0;
 	     largest > 0 && j < breakage_model_of_params(p)->gauge; j++)
 		p->at[j] /= largest;
@@ -175,11 +176,11 @@ bounds_default(size_t breakage)
 }
 
 double
-bounds_range_of_param(
+bounds_scale_of_param(
     const struct bounds *bounds, const struct params *p, size_t j)
 {
 	return j < breakage_model_of_params(p)->gauge
-		   ? 2 * params_largest_of_gauge(p)
+		   ? 2 * params_largest_beta(p)
 		   : bounds->upper[j] - bounds->lower[j];
 }
 

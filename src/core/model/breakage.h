@@ -86,7 +86,8 @@ struct breakage {
 	 * (Table 1).  u may be a size in mm if the model has forms. */
 	double (*density)(
 	    const struct breaker *b, double u, double log_u, double log_x);
-	/* A faster way to continuous_solver_product's result, or NULL. */
+	/* A faster way to continuous_solver_compute_product's result, or NULL.
+	 */
 	void (*product)(
 	    struct continuous_solver *c, double *passing, double *d);
 	/* Returns B as text with its numbers.  The caller frees it. */
@@ -101,28 +102,29 @@ extern const struct breakage *const BREAKAGES[];
 size_t breakage_count_models(void);
 
 /* Returns the models' names, separated by spaces.  Not thread-safe. */
-const char *breakage_names(void);
+const char *breakage_model_names(void);
 
 /* Returns the index of the model with that name, or breakage_count_models(). */
 size_t breakage_find_by_name(const char *name);
 
 /* True if the wide model has all the parameters of the narrow one and its
  * others have no effect at their start values. */
-bool breakage_extends(size_t wide, size_t narrow);
+bool breakage_is_extension_of(size_t wide, size_t narrow);
 
 /* Returns the same parameters in a wider model, with its others at their start
  * values. */
-struct params breakage_params_in_wider(const struct params *p, size_t wide);
+struct params breakage_params_in_wider_model(
+    const struct params *p, size_t wide);
 
-/* The inverse of breakage_params_in_wider: returns the parameters in the
+/* The inverse of breakage_params_in_wider_model: returns the parameters in the
  * smallest model that gives the same product because all parameters that it
  * lacks are at their start values. */
-struct params breakage_params_in_narrower(const struct params *p);
+struct params breakage_params_in_narrower_model(const struct params *p);
 
 /* Returns the index of the widest model that has all parameters of the given
  * model, the same bypass, and an appearance that depends on the energy (D12,
  * D17); the given model's own index if there is none. */
-size_t breakage_widest_extension(size_t breakage);
+size_t breakage_widest_containing_model(size_t breakage);
 
 const struct breakage *breakage_model_of_params(const struct params *p);
 
@@ -143,20 +145,20 @@ double specific_energy_at_speed(double v);
 
 /* Returns the index of the parameter in the gauge with the largest absolute
  * value, the first of several, or PARAMS_MOST if there is no gauge. */
-size_t params_largest_gauge_index(const struct params *p);
+size_t params_index_of_largest_beta(const struct params *p);
 
 /* Returns that largest absolute value, or 0 if there is no gauge. */
-double params_largest_of_gauge(const struct params *p);
+double params_largest_beta(const struct params *p);
 
 /* Scales the gauge's parameters to a largest absolute value of 1 (D4), unless
  * all are 0. */
-void params_scale_gauge_to_1(struct params *p);
+void params_scale_largest_beta_to_1(struct params *p);
 
 struct bounds bounds_default(size_t breakage);
 
 /* Returns the change of a parameter that counts as 1: the width of its bounds
  * or, in the gauge, twice the largest absolute value there. */
-double bounds_range_of_param(
+double bounds_scale_of_param(
     const struct bounds *bounds, const struct params *p, size_t j);
 
 struct model_settings model_settings_default(void);

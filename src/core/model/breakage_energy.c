@@ -15,18 +15,19 @@
 enum { GAMMA = 7, E_REF };
 
 void
-energy_prepare_breaker(struct breaker *b)
+energy_compute_breaker_constants(struct breaker *b)
 {
-	grunditz_prepare_breaker(b);
+	grunditz_compute_breaker_constants(b);
 	b->own[OWN_LOG_RATIO] = el_log(b->E / b->p.at[E_REF]);
 	b->own[OWN_GAMMA] = el_exp(-b->p.at[GAMMA] * b->own[OWN_LOG_RATIO]);
 }
 
 double
-energy_share_finer(const struct breaker *b, double log_u, double *d)
+energy_progeny_share_finer(const struct breaker *b, double log_u, double *d)
 {
 	double base[4] = {0}, e = b->own[OWN_GAMMA];
-	double B = grunditz_share_finer(b, log_u, d != NULL ? base : NULL);
+	double B =
+	    grunditz_progeny_share_finer(b, log_u, d != NULL ? base : NULL);
 	if (!(B > 0))
 		return 0;
 	double log_B = el_log(B), P = el_exp(e * log_B);
@@ -45,7 +46,7 @@ energy_progeny_density(
 	(void)log_x;
 	const struct appearance *a = &b->appearance;
 	double p = appearance_density(a->beta, u), e = b->own[OWN_GAMMA];
-	double B = log_u < 0 ? grunditz_share_finer(b, log_u, NULL) : 1;
+	double B = log_u < 0 ? grunditz_progeny_share_finer(b, log_u, NULL) : 1;
 	return B > 0 ? e * el_exp((e - 1) * el_log(B)) * p / a->total : 0;
 }
 
@@ -66,8 +67,9 @@ BREAKAGE_ROWS(ENERGY, "grunditz-energy",
     N_("the paper's, with finer progeny at higher energy (gamma)"), 9,
     .source = "Grunditz et al. 2021, finer progeny at higher energy",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
-    .reference = E_REF, .strength = 4, .prepare = energy_prepare_breaker,
-    .finer = energy_share_finer, .density = energy_progeny_density,
+    .reference = E_REF, .strength = 4,
+    .prepare = energy_compute_breaker_constants,
+    .finer = energy_progeny_share_finer, .density = energy_progeny_density,
     .appearance_text = energy_appearance_text, .kernel = KERNEL_ROW(energy))
 
 #else /* LANES */
@@ -84,11 +86,11 @@ energy_load_params(
 /* Computes ln B and p / B of the cubic first, then B and p for each run.  The
  * last node, where B is 0 and p may be anything, gets the mean slope. */
 static inline lanes
-energy_tabulate_nodes(
+energy_tabulate_progeny(
     const struct block *b, const struct batch_plan *plan, struct node *node)
 {
 	size_t last = KERNEL_NODES - 1;
-	lanes total = grunditz_tabulate_nodes(b, plan, node);
+	lanes total = grunditz_tabulate_progeny(b, plan, node);
 	for (size_t n = 0; n < last; n++) {
 		lanes B = lanes_max(node[n].below, lanes_broadcast(1e-300));
 		node[n].p /= B;
@@ -112,6 +114,6 @@ energy_tabulate_nodes(
 }
 
 KERNEL(energy, .strength = 4, .load = energy_load_params,
-    .nodes = energy_tabulate_nodes, .per_run = true)
+    .nodes = energy_tabulate_progeny, .per_run = true)
 
 #endif

@@ -23,8 +23,9 @@ enum { OWN_GAMMA, OWN_LOG_RATIO, OWN_KAPPA };
 	}
 
 /* See the fields of that name in struct breakage. */
-void energy_prepare_breaker(struct breaker *b);
-double energy_share_finer(const struct breaker *b, double log_u, double *d);
+void energy_compute_breaker_constants(struct breaker *b);
+double energy_progeny_share_finer(
+    const struct breaker *b, double log_u, double *d);
 double energy_progeny_density(
     const struct breaker *b, double u, double log_u, double log_x);
 char *energy_appearance_text(const struct params *p);

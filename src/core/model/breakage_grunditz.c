@@ -17,15 +17,15 @@
 enum { F_MAT = 4 };
 
 void
-grunditz_prepare_breaker(struct breaker *b)
+grunditz_compute_breaker_constants(struct breaker *b)
 {
 	struct params scaled = b->p;
-	params_scale_gauge_to_1(&scaled);
-	b->appearance = appearance_with_beta(scaled.beta);
+	params_scale_largest_beta_to_1(&scaled);
+	b->appearance = appearance_from_beta(scaled.beta);
 }
 
 double
-grunditz_share_finer(const struct breaker *b, double log_u, double *d)
+grunditz_progeny_share_finer(const struct breaker *b, double log_u, double *d)
 {
 	const struct appearance *a = &b->appearance;
 	double parts[4], sum = 0;
@@ -37,7 +37,7 @@ grunditz_share_finer(const struct breaker *b, double log_u, double *d)
 	double B = sum / a->total;
 	if (d == NULL)
 		return B;
-	double scale = 1 / (a->total * params_largest_of_gauge(&b->p));
+	double scale = 1 / (a->total * params_largest_beta(&b->p));
 	for (size_t i = 0; i < 4; i++)
 		d[i] += (parts[i] - B * a->whole[i]) * scale;
 	return B;
@@ -82,17 +82,17 @@ struct moments {
 };
 
 static void
-compute_selection_at_panel(const struct breaker *b,
+broken_shares_at_gauss_nodes(const struct breaker *b,
     const double t[static GAUSS], double shape[static SHAPES][GAUSS])
 {
 	const double *q = b->p.at + F_MAT;
 	if (b->impacts.n == 0) {
-		selection_at_sizes(q, b->k, b->E, GAUSS, t, shape[0]);
+		selection_shares_at_sizes(q, b->k, b->E, GAUSS, t, shape[0]);
 		return;
 	}
 	for (size_t i = 0; i < GAUSS; i++) {
 		double d[SHAPES] = {0};
-		d[0] = selection_by_impacts(
+		d[0] = selection_share_by_impacts(
 		    &b->impacts, q, b->k, b->E, t[i], d + 1);
 		for (size_t s = 0; s < SHAPES; s++)
 			shape[s][i] = d[s];
@@ -102,11 +102,11 @@ compute_selection_at_panel(const struct breaker *b,
 /* Adds the integrals of S dF (n = 1) and of its derivatives (n = SHAPES), times
  * each g_m. */
 static inline void
-add_panel_moments(const struct continuous_solver *c, const struct panel *panel,
-    size_t n, struct moments *sum)
+add_quadrature_panel_moments(const struct continuous_solver *c,
+    const struct panel *panel, size_t n, struct moments *sum)
 {
 	double shape[SHAPES][GAUSS], x1[GAUSS];
-	compute_selection_at_panel(c->b, panel->t, shape);
+	broken_shares_at_gauss_nodes(c->b, panel->t, shape);
 	for (size_t i = 0; i < GAUSS; i++)
 		x1[i] = el_exp(-panel->t[i]);
 	for (size_t i = 0; i < GAUSS; i++) {
@@ -124,18 +124,18 @@ static void
 add_moments_of_S(
     const struct continuous_solver *c, const struct panel *panel, void *data)
 {
-	add_panel_moments(c, panel, 1, data);
+	add_quadrature_panel_moments(c, panel, 1, data);
 }
 
 static void
 add_moments_with_derivatives(
     const struct continuous_solver *c, const struct panel *panel, void *data)
 {
-	add_panel_moments(c, panel, SHAPES, data);
+	add_quadrature_panel_moments(c, panel, SHAPES, data);
 }
 
 static void
-add_integral_between(const struct continuous_solver *c, double a, double b,
+add_integral_of_moments(const struct continuous_solver *c, double a, double b,
     double density, size_t n_shape, struct moments *sum)
 {
 	if (n_shape > 1)
@@ -147,12 +147,12 @@ add_integral_between(const struct continuous_solver *c, double a, double b,
 }
 
 static void
-integrate_above_each_edge(struct continuous_solver *c, size_t n_shape)
+integrate_moments_above_each_edge(struct continuous_solver *c, size_t n_shape)
 {
 	memset(&c->above[0], 0, sizeof c->above[0]);
 	for (size_t e = 0; e + 1 < c->n_edge; e++) {
 		c->above[e + 1] = c->above[e];
-		add_integral_between(c, c->edge[e + 1], c->edge[e],
+		add_integral_of_moments(c, c->edge[e + 1], c->edge[e],
 		    c->density[e], n_shape, &c->above[e + 1]);
 	}
 }
@@ -174,7 +174,7 @@ moments_of_sizes_above(
 	struct moments sum = c->above[low];
 	bool inside = t < c->edge[low] - 1e-12 && low + 1 < c->n_edge;
 	if (inside)
-		add_integral_between(
+		add_integral_of_moments(
 		    c, t, c->edge[low], c->density[low], n_shape, &sum);
 	return sum;
 }
@@ -184,7 +184,7 @@ moments_of_sizes_above(
  * beta_b.  On the interval N_b is base_b, plus the antiderivative of u^b inside
  * a piece of p. */
 static void
-add_integral_between_tables(double log_s, size_t n_shape,
+add_integral_between_moment_sets(double log_s, size_t n_shape,
     const struct moments *from, const struct moments *to,
     const double base[static 4], bool inside, double Q[SHAPES][4])
 {
@@ -206,7 +206,7 @@ add_integral_between_tables(double log_s, size_t n_shape,
 /* Computes Q from u = 2^-10 up to 1: the pieces of p and the gaps between
  * them. */
 static void
-integrate_broken_parts(const struct continuous_solver *c, double log_s,
+integrate_appearance_pieces(const struct continuous_solver *c, double log_s,
     size_t n_shape, double Q[SHAPES][4])
 {
 	const struct appearance *a = &c->b->appearance;
@@ -216,16 +216,16 @@ integrate_broken_parts(const struct continuous_solver *c, double log_s,
 	for (size_t i = 0; i < a->n; i++) {
 		inner =
 		    moments_of_sizes_above(c, log_s - a->log_lower[i], n_shape);
-		add_integral_between_tables(
+		add_integral_between_moment_sets(
 		    log_s, n_shape, &inner, &outer, full, false, Q);
 		outer =
 		    moments_of_sizes_above(c, log_s - a->log_upper[i], n_shape);
-		add_integral_between_tables(
+		add_integral_between_moment_sets(
 		    log_s, n_shape, &outer, &inner, a->base[i], true, Q);
 		full = a->full[i];
 	}
 	inner = moments_of_sizes_above(c, log_s, n_shape);
-	add_integral_between_tables(
+	add_integral_between_moment_sets(
 	    log_s, n_shape, &inner, &outer, full, false, Q);
 }
 
@@ -243,11 +243,11 @@ sum_weighted_by_beta(const struct appearance *a, const double parts[static 4])
  * divided by its largest value; derivatives with respect to the unscaled beta
  * are smaller by the same factor. */
 static void
-fill_derivative_row(const struct continuous_solver *c, double broken,
+fill_broken_mass_derivatives(const struct continuous_solver *c, double broken,
     double total, const double T[static 4], double Q[SHAPES][4], double *row)
 {
 	const struct appearance *a = &c->b->appearance;
-	double scale = params_largest_of_gauge(&c->b->p);
+	double scale = params_largest_beta(&c->b->p);
 	for (size_t b = 0; b < 4; b++)
 		row[b] = (Q[0][b] - broken * T[b]) / total / scale;
 	for (size_t i = 1; i < SHAPES; i++)
@@ -263,17 +263,17 @@ compute_product_by_moments(
 	const double *T = a->whole;
 	if (c->above == NULL)
 		c->above = xcalloc(c->n_edge, sizeof *c->above);
-	integrate_above_each_edge(c, n_shape);
+	integrate_moments_above_each_edge(c, n_shape);
 	double total = sum_weighted_by_beta(a, T);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		passing[i] = c->feed_passing[i];
 		if (c->log_sieve[i] >= c->edge[0] || !(total > 0))
 			continue;
 		double Q[SHAPES][4];
-		integrate_broken_parts(c, c->log_sieve[i], n_shape, Q);
+		integrate_appearance_pieces(c, c->log_sieve[i], n_shape, Q);
 		double broken = sum_weighted_by_beta(a, Q[0]) / total;
 		if (d_passing != NULL)
-			fill_derivative_row(c, broken, total, T, Q,
+			fill_broken_mass_derivatives(c, broken, total, T, Q,
 			    d_passing + i * c->b->model->n);
 		passing[i] += broken;
 		passing[i] = passing[i] < 1 ? passing[i] : 1;
@@ -288,8 +288,8 @@ KERNELS(grunditz);
 BREAKAGE_ROWS(GRUNDITZ, "grunditz", N_("Eqs 1 to 3 of the paper"), 7,
     .source = "Grunditz et al. 2021", .parameter = PARAMETERS, .gauge = 4,
     .gauge_name = "beta", .forms = true, .reference = PARAMS_MOST,
-    .strength = F_MAT, .prepare = grunditz_prepare_breaker,
-    .finer = grunditz_share_finer, .density = progeny_density,
+    .strength = F_MAT, .prepare = grunditz_compute_breaker_constants,
+    .finer = grunditz_progeny_share_finer, .density = progeny_density,
     .product = compute_product_by_moments,
     .appearance_text = grunditz_appearance_text, .kernel = KERNEL_ROW(grunditz))
 
@@ -319,7 +319,7 @@ grunditz_progeny_density(const struct block *b, const struct plan_run *run,
 /* Computes p at the nodes of u and its integral up to each.  Returns the
  * total. */
 static inline lanes
-grunditz_tabulate_nodes(
+grunditz_tabulate_progeny(
     const struct block *b, const struct batch_plan *plan, struct node *node)
 {
 	const struct plan_run *run = &plan->run[0];
@@ -336,6 +336,6 @@ grunditz_tabulate_nodes(
 }
 
 KERNEL(grunditz, .strength = 4, .load = grunditz_load_params,
-    .nodes = grunditz_tabulate_nodes, .density = grunditz_progeny_density)
+    .nodes = grunditz_tabulate_progeny, .density = grunditz_progeny_density)
 
 #endif

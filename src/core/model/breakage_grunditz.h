@@ -18,8 +18,9 @@
 	}
 
 /* See the fields of that name in struct breakage. */
-void grunditz_prepare_breaker(struct breaker *b);
-double grunditz_share_finer(const struct breaker *b, double log_u, double *d);
+void grunditz_compute_breaker_constants(struct breaker *b);
+double grunditz_progeny_share_finer(
+    const struct breaker *b, double log_u, double *d);
 char *grunditz_appearance_text(const struct params *p);
 
 #endif

@@ -28,17 +28,18 @@
 enum { KAPPA = 9 };
 
 static void
-prepare_breaker(struct breaker *b)
+t10_compute_breaker_constants(struct breaker *b)
 {
-	energy_prepare_breaker(b);
+	energy_compute_breaker_constants(b);
 	b->own[OWN_KAPPA] = el_exp(b->p.at[KAPPA] * b->own[OWN_LOG_RATIO]);
 }
 
 static double
-share_finer(const struct breaker *b, double log_u, double *d)
+t10_progeny_share_finer(const struct breaker *b, double log_u, double *d)
 {
 	double base[PARAMS_MOST] = {0}, r = b->own[OWN_KAPPA];
-	double B = energy_share_finer(b, log_u, d != NULL ? base : NULL);
+	double B =
+	    energy_progeny_share_finer(b, log_u, d != NULL ? base : NULL);
 	double rest = el_log(fmax(1 - B, 1e-300)), coarser = el_exp(r * rest);
 	if (d == NULL)
 		return 1 - coarser;
@@ -52,7 +53,7 @@ static double
 progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 {
 	double r = b->own[OWN_KAPPA];
-	double B = log_u < 0 ? energy_share_finer(b, log_u, NULL) : 1;
+	double B = log_u < 0 ? energy_progeny_share_finer(b, log_u, NULL) : 1;
 	return r * el_exp((r - 1) * el_log(fmax(1 - B, T10_LEAST))) *
 	       energy_progeny_density(b, u, log_u, log_x);
 }
@@ -77,9 +78,9 @@ BREAKAGE_ROWS(T10, "grunditz-t10",
     N_("grunditz-energy, with finer progeny as t10 has it too (kappa)"), 10,
     .source = "Grunditz et al. 2021, finer progeny by t10",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .reference = 8,
-    .strength = 4, .prepare = prepare_breaker, .finer = share_finer,
-    .density = progeny_density, .appearance_text = appearance_text,
-    .kernel = KERNEL_ROW(t10))
+    .strength = 4, .prepare = t10_compute_breaker_constants,
+    .finer = t10_progeny_share_finer, .density = progeny_density,
+    .appearance_text = appearance_text, .kernel = KERNEL_ROW(t10))
 
 #else /* LANES */
 
@@ -95,10 +96,10 @@ t10_load_params(
  * integrals, p at u = 1 is the value that leads from the node below to B =
  * 1. */
 static inline lanes
-t10_tabulate_nodes(
+t10_tabulate_progeny(
     const struct block *b, const struct batch_plan *plan, struct node *node)
 {
-	lanes total = energy_tabulate_nodes(b, plan, node);
+	lanes total = energy_tabulate_progeny(b, plan, node);
 	for (size_t r = 0; r < plan->n_run; r++) {
 		struct node *at = node + r * KERNEL_NODES;
 		lanes e = lanes_exp_quick(
@@ -123,7 +124,7 @@ t10_tabulate_nodes(
 	return total;
 }
 
-KERNEL(t10, .strength = 4, .load = t10_load_params, .nodes = t10_tabulate_nodes,
-    .per_run = true)
+KERNEL(t10, .strength = 4, .load = t10_load_params,
+    .nodes = t10_tabulate_progeny, .per_run = true)
 
 #endif

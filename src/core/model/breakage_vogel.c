@@ -21,7 +21,7 @@ static const double LEAST_Q = 0.01;
 
 /* Returns (1 + tanh((y - y')/y')) / 2 and sets *ratio to y / y'. */
 static double
-fines_factor(const struct breaker *b, double log_y, double *ratio)
+vogel_fines_cutoff(const struct breaker *b, double log_y, double *ratio)
 {
 	double y = 1000 * el_exp(log_y);
 	*ratio = fmin(y / fmax(b->p.at[Y_FINE], 1e-9), 1e9);
@@ -29,13 +29,13 @@ fines_factor(const struct breaker *b, double log_y, double *ratio)
 }
 
 static void
-prepare_breaker(struct breaker *b)
+vogel_compute_breaker_constants(struct breaker *b)
 {
 	b->own[0] = fmax(b->p.at[Q_SLOPE] * b->v + b->p.at[Q_0], LEAST_Q);
 }
 
 static double
-share_finer(const struct breaker *b, double log_u, double *d)
+vogel_progeny_share_finer(const struct breaker *b, double log_u, double *d)
 {
 	double q = b->own[0], B = el_exp(q * log_u);
 	if (d != NULL && q > LEAST_Q) {
@@ -48,7 +48,7 @@ share_finer(const struct breaker *b, double log_u, double *d)
 static double
 fines_factor_with_slope(const struct breaker *b, double log_y, double *d)
 {
-	double ratio, w = fines_factor(b, log_y, &ratio);
+	double ratio, w = vogel_fines_cutoff(b, log_y, &ratio);
 	if (d != NULL)
 		d[Y_FINE] -=
 		    2 * w * (1 - w) * ratio / fmax(b->p.at[Y_FINE], 1e-9);
@@ -59,7 +59,8 @@ static double
 progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)u;
-	double q = b->own[0], ratio, w = fines_factor(b, log_x + log_u, &ratio);
+	double q = b->own[0], ratio,
+	       w = vogel_fines_cutoff(b, log_x + log_u, &ratio);
 	return el_exp(q * log_u) * w * (q + 2 * (1 - w) * ratio);
 }
 
@@ -90,9 +91,10 @@ BREAKAGE_ROWS(VOGEL, "vogel",
     N_("Eq 3 with the appearance of Vogel and Peukert"), 6,
     .source = "Grunditz et al. 2021 with Vogel and Peukert",
     .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
-    .prepare = prepare_breaker, .finer = share_finer,
-    .at_size = fines_factor_with_slope, .density = progeny_density,
-    .appearance_text = appearance_text, .kernel = KERNEL_ROW(vogel))
+    .prepare = vogel_compute_breaker_constants,
+    .finer = vogel_progeny_share_finer, .at_size = fines_factor_with_slope,
+    .density = progeny_density, .appearance_text = appearance_text,
+    .kernel = KERNEL_ROW(vogel))
 
 #else /* LANES */
 
@@ -112,7 +114,7 @@ vogel_q_at_speed(const struct block *b, const struct plan_run *run)
 }
 
 static inline lanes
-vogel_tabulate_nodes(
+vogel_tabulate_progeny(
     const struct block *b, const struct batch_plan *plan, struct node *node)
 {
 	for (size_t r = 0; r < plan->n_run; r++, node += KERNEL_NODES) {
@@ -125,7 +127,7 @@ vogel_tabulate_nodes(
 	return lanes_broadcast(1);
 }
 
-/* Returns fines_factor at progeny size ln y and sets *ratio to y / y'. */
+/* Returns vogel_fines_cutoff at progeny size ln y and sets *ratio to y / y'. */
 static inline lanes
 vogel_fines_factor(const struct block *b, double log_y, lanes *ratio)
 {
@@ -151,7 +153,7 @@ vogel_progeny_density(const struct block *b, const struct plan_run *run,
 }
 
 KERNEL(vogel, .strength = 3, .load = vogel_load_params,
-    .nodes = vogel_tabulate_nodes, .density = vogel_progeny_density,
+    .nodes = vogel_tabulate_progeny, .density = vogel_progeny_density,
     .at_sieve = vogel_fines_factor_at_sieve, .per_run = true)
 
 #endif

@@ -88,18 +88,19 @@ classes_solver_free(struct classes_solver *c)
 }
 
 static void
-compute_matrix_and_selection(struct classes_solver *c)
+compute_breakage_matrix_and_shares(struct classes_solver *c)
 {
 	classes_appearance_matrix(c->b, c->form, c->x, c->feed.n, c->matrix);
 	for (size_t i = 0; i < c->feed.n; i++)
-		c->S[i] = selection_at_log_size(c->b, el_log(c->x[i]), NULL);
+		c->S[i] =
+		    selection_share_at_log_size(c->b, el_log(c->x[i]), NULL);
 }
 
 void
-classes_solver_product(struct classes_solver *c, double *passing)
+classes_solver_compute_product(struct classes_solver *c, double *passing)
 {
 	size_t n = c->feed.n;
-	compute_matrix_and_selection(c);
+	compute_breakage_matrix_and_shares(c);
 	double finer = 0;
 	for (size_t j = n; j-- > 0;) {
 		double mass = (1 - c->S[j]) * c->f[j];
@@ -113,9 +114,9 @@ classes_solver_product(struct classes_solver *c, double *passing)
 }
 
 bool
-classes_solver_breaks_feed(struct classes_solver *c)
+classes_solver_is_feed_broken(struct classes_solver *c)
 {
-	compute_matrix_and_selection(c);
+	compute_breakage_matrix_and_shares(c);
 	for (size_t i = 0; i < c->feed.n; i++)
 		if (c->matrix[i * c->feed.n + i] < 1)
 			return true;
@@ -123,10 +124,10 @@ classes_solver_breaks_feed(struct classes_solver *c)
 }
 
 double
-classes_solver_share_selected(struct classes_solver *c)
+classes_solver_broken_feed_share(struct classes_solver *c)
 {
 	double sum = 0;
-	compute_matrix_and_selection(c);
+	compute_breakage_matrix_and_shares(c);
 	for (size_t i = 0; i < c->feed.n; i++)
 		sum += c->S[i] * c->f[i];
 	return sum;

@@ -17,11 +17,11 @@ struct classes_solver *classes_solver_new(const struct breaker *b,
     enum appearance_form form);
 void classes_solver_free(struct classes_solver *c);
 
-/* See model_product, model_breaks_feed and model_share_selected, without the
- * bypass. */
-void classes_solver_product(struct classes_solver *c, double *passing);
-bool classes_solver_breaks_feed(struct classes_solver *c);
-double classes_solver_share_selected(struct classes_solver *c);
+/* See model_compute_product, model_is_feed_broken and model_broken_feed_share,
+ * without the bypass. */
+void classes_solver_compute_product(struct classes_solver *c, double *passing);
+bool classes_solver_is_feed_broken(struct classes_solver *c);
+double classes_solver_broken_feed_share(struct classes_solver *c);
 
 /* Computes the sizes x, m, of the n feed classes, coarsest first, the pan last
  * (D5). */

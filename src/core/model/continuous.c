@@ -20,7 +20,7 @@ static const double STOP_AT[STOPS] = {0, 2, 6, 16, 40};
 /* Makes the edges: the feed's sieves, the product's sieves between them, and
  * enough others that no class is wider than an octave. */
 static void
-make_class_edges(struct continuous_solver *c, const struct psd *feed)
+make_size_class_edges(struct continuous_solver *c, const struct psd *feed)
 {
 	double top = el_log(feed->size[0]);
 	double bottom = el_log(feed->size[feed->n - 1]);
@@ -69,7 +69,7 @@ continuous_solver_new(const struct breaker *b, const struct psd *feed,
 		assert(psd_covers_size(feed, sieve[i]));
 		c->log_sieve[i] = el_log(sieve[i]);
 	}
-	make_class_edges(c, feed);
+	make_size_class_edges(c, feed);
 	make_feed_density(c, feed);
 	c->point = xcalloc((c->n_edge + STOPS_MOST) * GAUSS, sizeof *c->point);
 	return c;
@@ -92,7 +92,7 @@ continuous_solver_free(struct continuous_solver *c)
 /* Finds the ends for a spectrum: S is a sum over its nodes, with a kink at the
  * break size of each. */
 static void
-find_panel_ends_for_impacts(struct continuous_solver *c)
+find_integration_ends_for_impacts(struct continuous_solver *c)
 {
 	struct breaker b = *c->b;
 	const struct impacts *of = &b.impacts;
@@ -118,7 +118,7 @@ find_quadrature_panel_ends(struct continuous_solver *c)
 		c->stop[i] = selection_log_size_at_exponent(c->b, STOP_AT[i]);
 	c->n_stop = STOPS;
 	if (c->b->impacts.n > 0)
-		find_panel_ends_for_impacts(c);
+		find_integration_ends_for_impacts(c);
 }
 
 static void
@@ -142,7 +142,8 @@ make_quadrature_points(struct continuous_solver *c, bool gradient)
 		    c->density[e], add_quadrature_points, &c->n_point);
 	for (size_t i = 0; i < c->n_point; i++) {
 		struct point *p = &c->point[i];
-		p->S = selection_at_log_size(b, p->t, gradient ? p->dS : NULL);
+		p->S = selection_share_at_log_size(
+		    b, p->t, gradient ? p->dS : NULL);
 	}
 }
 
@@ -153,7 +154,7 @@ static const double NODE_STEP = 0.025;
 /* Computes B at the nodes; computing it at each point and sieve would take ten
  * times as long. */
 static void
-tabulate_appearance(struct continuous_solver *c, bool gradient)
+tabulate_progeny_shares(struct continuous_solver *c, bool gradient)
 {
 	const struct breaker *b = c->b;
 	size_t n = b->model->n;
@@ -252,7 +253,7 @@ mass_broken_below_with_size_factor(
 }
 
 void
-continuous_solver_product(
+continuous_solver_compute_product(
     struct continuous_solver *c, double *passing, double *d_passing)
 {
 	find_quadrature_panel_ends(c);
@@ -264,7 +265,7 @@ continuous_solver_product(
 		return;
 	}
 	make_quadrature_points(c, d_passing != NULL);
-	tabulate_appearance(c, d_passing != NULL);
+	tabulate_progeny_shares(c, d_passing != NULL);
 	bool breaks = breaker_has_progeny(c->b);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		double *row = d_passing != NULL ? d_passing + i * n : NULL;
@@ -278,7 +279,7 @@ continuous_solver_product(
 }
 
 double
-continuous_solver_share_selected(struct continuous_solver *c)
+continuous_solver_broken_feed_share(struct continuous_solver *c)
 {
 	double sum = 0;
 	find_quadrature_panel_ends(c);

@@ -47,11 +47,11 @@ struct continuous_solver *continuous_solver_new(const struct breaker *b,
     size_t n);
 void continuous_solver_free(struct continuous_solver *c);
 
-/* See model_jacobian (d_passing may be NULL) and model_share_selected, without
- * the bypass. */
-void continuous_solver_product(
+/* See model_jacobian (d_passing may be NULL) and model_broken_feed_share,
+ * without the bypass. */
+void continuous_solver_compute_product(
     struct continuous_solver *c, double *passing, double *d_passing);
-double continuous_solver_share_selected(struct continuous_solver *c);
+double continuous_solver_broken_feed_share(struct continuous_solver *c);
 
 /* Points of a Gauss-Legendre panel over ln x. */
 struct panel {

@@ -53,8 +53,8 @@ enum appearance_form {
 };
 
 /* Impacts of a particle, instead of one at v^2/2 (see
- * spectrum_reduce_to_impacts): `number` impacts, each with energy ratio[j]
- * v^2/2 with probability share[j]. n 0: the paper's single impact. */
+ * spectrum_group_impacts_by_energy): `number` impacts, each with energy
+ * ratio[j] v^2/2 with probability share[j]. n 0: the paper's single impact. */
 enum { IMPACTS_MOST = 12 };
 struct impacts {
 	size_t n;

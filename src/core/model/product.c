@@ -55,7 +55,7 @@ model_free(struct model *model)
 }
 
 void
-model_use_params(struct model *model, const struct params *p)
+model_set_params(struct model *model, const struct params *p)
 {
 	breaker_set_params(&model->b, p, &model->settings);
 }
@@ -91,7 +91,7 @@ static double
 finite_difference_step(const struct params *p, size_t i)
 {
 	double scale = i < breakage_model_of_params(p)->gauge
-			   ? params_largest_of_gauge(p)
+			   ? params_largest_beta(p)
 			   : 1e-2;
 	return 1e-6 * fmax(fabs(p->at[i]), scale);
 }
@@ -102,9 +102,9 @@ product_with_parameter_at(
 {
 	struct params p = model->b.p;
 	p.at[i] = at;
-	model_use_params(model, &p);
+	model_set_params(model, &p);
 	breaker_set_speed(&model->b, v);
-	classes_solver_product(model->classes, passing);
+	classes_solver_compute_product(model->classes, passing);
 }
 
 static void
@@ -122,7 +122,7 @@ finite_difference_jacobian(struct model *model, double v, double *d_passing)
 			d_passing[s * n + i] =
 			    h > 0 ? (model->plus[s] - model->minus[s]) / (2 * h)
 				  : 0;
-		model_use_params(model, &p);
+		model_set_params(model, &p);
 	}
 }
 
@@ -132,38 +132,39 @@ model_jacobian(
 {
 	breaker_set_speed(&model->b, v);
 	if (model->classes == NULL)
-		continuous_solver_product(
+		continuous_solver_compute_product(
 		    model->continuous, passing, d_passing);
 	else
-		classes_solver_product(model->classes, passing);
+		classes_solver_compute_product(model->classes, passing);
 	if (model->classes != NULL && d_passing != NULL)
 		finite_difference_jacobian(model, v, d_passing);
 	product_add_bypass(model, passing, d_passing);
 }
 
 void
-model_product(struct model *model, double v, double *passing)
+model_compute_product(struct model *model, double v, double *passing)
 {
 	model_jacobian(model, v, passing, NULL);
 }
 
 bool
-model_breaks_feed(struct model *model, double v)
+model_is_feed_broken(struct model *model, double v)
 {
 	breaker_set_speed(&model->b, v);
 	return model->classes != NULL
-		   ? classes_solver_breaks_feed(model->classes)
+		   ? classes_solver_is_feed_broken(model->classes)
 		   : breaker_has_progeny(&model->b);
 }
 
 double
-model_share_selected(struct model *model, double v)
+model_broken_feed_share(struct model *model, double v)
 {
 	const struct breakage *of = model->b.model;
 	double share = of->bypass ? 1 - model->b.p.at[of->n - 1] : 1;
 	breaker_set_speed(&model->b, v);
 	return (1 - model->settings.bypass) * share *
 	       (model->classes != NULL
-		       ? classes_solver_share_selected(model->classes)
-		       : continuous_solver_share_selected(model->continuous));
+		       ? classes_solver_broken_feed_share(model->classes)
+		       : continuous_solver_broken_feed_share(
+			     model->continuous));
 }

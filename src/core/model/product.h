@@ -35,25 +35,26 @@ struct model *model_new(const struct psd *feed, const double *sieve, size_t n,
     struct model_settings settings);
 void model_free(struct model *model);
 
-void model_use_params(struct model *model, const struct params *p);
+void model_set_params(struct model *model, const struct params *p);
 
 /* Computes the product's passing [n], 0..1, sieve by sieve, at tip speed v
  * (m/s).
  *   Source: paper Eq 2. */
-void model_product(struct model *model, double v, double *passing);
+void model_compute_product(struct model *model, double v, double *passing);
 
-/* As model_product, and computes d_passing [n * model's n]: a row for each
- * sieve, with the derivatives with respect to the parameters in the order of
- * their table.  Exact for `continuous`, central differences for `classes`. */
+/* As model_compute_product, and computes d_passing [n * model's n]: a row for
+ * each sieve, with the derivatives with respect to the parameters in the order
+ * of their table.  Exact for `continuous`, central differences for `classes`.
+ */
 void model_jacobian(
     struct model *model, double v, double *passing, double *d_passing);
 
 /* False if product = feed at v because no particle has progeny in another class
  * (`classes`) or p(u) is 0 everywhere (`continuous`). */
-bool model_breaks_feed(struct model *model, double v);
+bool model_is_feed_broken(struct model *model, double v);
 
 /* Returns the mass fraction of the feed that is selected for breakage at v,
  * 0..1, not counting the share that bypasses the rotor. */
-double model_share_selected(struct model *model, double v);
+double model_broken_feed_share(struct model *model, double v);
 
 #endif

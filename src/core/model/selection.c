@@ -7,11 +7,11 @@
 #include "base/xalloc.h"
 
 double
-selection_at_log_size(const struct breaker *b, double log_x, double *d)
+selection_share_at_log_size(const struct breaker *b, double log_x, double *d)
 {
 	size_t f = b->model->strength;
-	return selection_by_impacts(&b->impacts, b->p.at + f, b->k, b->E, log_x,
-	    d != NULL ? d + f : NULL);
+	return selection_share_by_impacts(&b->impacts, b->p.at + f, b->k, b->E,
+	    log_x, d != NULL ? d + f : NULL);
 }
 
 double
@@ -31,7 +31,7 @@ selection_log_size_at_exponent(const struct breaker *b, double exponent)
 }
 
 double
-selection_break_size(const struct params *p, double E)
+selection_break_size_at_energy(const struct params *p, double E)
 {
 	const double *q = p->at + breakage_model_of_params(p)->strength;
 	if (q[1] <= 0)
@@ -50,11 +50,13 @@ params_break_size_by_impacts(
 {
 	const struct impacts *i = &settings->impacts;
 	double most = i->n > 0 ? i->ratio[i->n - 1] : 1;
-	return selection_break_size(p, most * specific_energy_at_speed(v));
+	return selection_break_size_at_energy(
+	    p, most * specific_energy_at_speed(v));
 }
 
 char *
-selection_text(const struct params *p, const struct model_settings *settings)
+selection_formula_text(
+    const struct params *p, const struct model_settings *settings)
 {
 	const double *q = p->at + breakage_model_of_params(p)->strength;
 	const struct impacts *impacts = &settings->impacts;

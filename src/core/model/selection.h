@@ -21,8 +21,8 @@
  * D1: the printed equation lacks the minus sign and the floor at 0.
  * D2: x is in metres; in millimetres S would be 1 for every class. */
 static inline void
-selection_at_sizes(const double q[static 3], double k, double E, size_t n,
-    const double *log_x, double *shape)
+selection_shares_at_sizes(const double q[static 3], double k, double E,
+    size_t n, const double *log_x, double *shape)
 {
 	double f = q[0] * k;
 	for (size_t i = 0; i < n; i++) {
@@ -38,30 +38,30 @@ selection_at_sizes(const double q[static 3], double k, double E, size_t n,
 
 /* Returns S at one size and adds its derivatives to d [3], if d is not NULL. */
 static inline double
-selection_at_size(
+selection_share_at_size(
     const double q[static 3], double k, double E, double log_x, double *d)
 {
 	double shape[4];
-	selection_at_sizes(q, k, E, 1, &log_x, shape);
+	selection_shares_at_sizes(q, k, E, 1, &log_x, shape);
 	for (size_t i = 0; i < 3 && d != NULL; i++)
 		d[i] += shape[1 + i];
 	return shape[0];
 }
 
-/* As selection_at_size, but with a spectrum of impacts, if there is one,
+/* As selection_share_at_size, but with a spectrum of impacts, if there is one,
  * instead of the single impact (D15; see spectrum.h). */
 static inline double
-selection_by_impacts(const struct impacts *impacts, const double q[static 3],
-    double k, double E, double log_x, double *d)
+selection_share_by_impacts(const struct impacts *impacts,
+    const double q[static 3], double k, double E, double log_x, double *d)
 {
 	if (impacts->n == 0)
-		return selection_at_size(q, k, E, log_x, d);
+		return selection_share_at_size(q, k, E, log_x, d);
 	double kept = 0, sum[3] = {0, 0, 0};
 	for (size_t j = 0; j < impacts->n; j++) {
 		double each[3] = {0, 0, 0}, share = impacts->share[j];
-		kept +=
-		    share * (1 - selection_at_size(q, k, impacts->ratio[j] * E,
-				     log_x, d != NULL ? each : NULL));
+		kept += share * (1 - selection_share_at_size(q, k,
+					 impacts->ratio[j] * E, log_x,
+					 d != NULL ? each : NULL));
 		for (size_t i = 0; i < 3; i++)
 			sum[i] += share * each[i];
 	}
@@ -87,7 +87,8 @@ selection_by_impacts(const struct impacts *impacts, const double q[static 3],
 
 /* Returns S at ln x, x in m, and adds its derivatives with respect to all
  * parameters of the model to d, if not NULL. */
-double selection_at_log_size(const struct breaker *b, double log_x, double *d);
+double selection_share_at_log_size(
+    const struct breaker *b, double log_x, double *d);
 
 /* Returns the ln x at which -ln(1 - S) equals `exponent`, for the ends of
  * panels in integrals of S.  It rises with the exponent; at 0 it is ln of the
@@ -98,7 +99,7 @@ double selection_log_size_at_exponent(const struct breaker *b, double exponent);
  * does, as with alpha = 0 and E <= E0_min.
  *   x* = (E0_min / E)^(1 / alpha)
  * Source: Eq 3 at S = 0. */
-double selection_break_size(const struct params *p, double E);
+double selection_break_size_at_energy(const struct params *p, double E);
 
 /* Returns the break size x*, m: the smallest size that can break at tip speed
  * v, m/s, by the strongest of the impacts in the settings, in the parameters'
@@ -107,7 +108,7 @@ double params_break_size_by_impacts(
     const struct params *p, const struct model_settings *settings, double v);
 
 /* Returns Eq 3 as text with the numbers filled in.  The caller frees it. */
-char *selection_text(
+char *selection_formula_text(
     const struct params *p, const struct model_settings *settings);
 
 #endif

@@ -69,7 +69,7 @@ bin_of_energy(double energy)
 /* Returns the part of a bin that lies above the cut, in proportion to ln e.
  * The cut must lie within the bin or below it. */
 static double
-part_of_bin_above(size_t bin, double cut)
+share_of_bin_above_cut(size_t bin, double cut)
 {
 	if (!(cut > spectrum_bin_edge(bin)))
 		return 1;
@@ -144,7 +144,7 @@ spectrum_add_particles(
 }
 
 struct spectrum_size *
-spectrum_merge_sizes(const struct spectrum *s)
+spectrum_sum_over_sizes(const struct spectrum *s)
 {
 	struct spectrum_size *whole = xcalloc(1, sizeof *whole);
 	for (size_t i = 0; i < s->n; i++) {
@@ -162,12 +162,13 @@ spectrum_merge_sizes(const struct spectrum *s)
 }
 
 struct spectrum_bin
-spectrum_impacts_above(const struct spectrum_size *s, double cut, bool first)
+spectrum_impacts_above_energy(
+    const struct spectrum_size *s, double cut, bool first)
 {
 	const struct spectrum_bin *bin = first ? s->first : s->all;
 	struct spectrum_bin sum = {0, 0};
 	for (size_t b = SPECTRUM_BINS, at = bin_of_energy(cut); b-- > at;) {
-		double part = part_of_bin_above(b, cut);
+		double part = share_of_bin_above_cut(b, cut);
 		add_impact_to_bin(
 		    &sum, part * bin[b].mass, part * bin[b].energy);
 	}
@@ -180,7 +181,7 @@ spectrum_impacts_per_particle(
 {
 	if (!s->counted || !(of->mass > 0))
 		return NAN;
-	return spectrum_impacts_above(of, cut, false).mass / of->mass;
+	return spectrum_impacts_above_energy(of, cut, false).mass / of->mass;
 }
 
 double
@@ -191,10 +192,11 @@ spectrum_energy_factor_at_speed(const struct spectrum *s, double speed)
 }
 
 struct impacts
-spectrum_reduce_to_impacts(const struct spectrum *s, double cut)
+spectrum_group_impacts_by_energy(const struct spectrum *s, double cut)
 {
-	FREED struct spectrum_size *whole = spectrum_merge_sizes(s);
-	struct spectrum_bin above = spectrum_impacts_above(whole, cut, false);
+	FREED struct spectrum_size *whole = spectrum_sum_over_sizes(s);
+	struct spectrum_bin above =
+	    spectrum_impacts_above_energy(whole, cut, false);
 	struct spectrum_bin node = {0, 0};
 	struct impacts to = {.n = 0};
 	double E = s->speed * s->speed / 2, done = 0;
@@ -203,7 +205,7 @@ spectrum_reduce_to_impacts(const struct spectrum *s, double cut)
 	for (size_t b = bin_of_energy(cut); b < SPECTRUM_BINS && above.mass > 0;
 	     b++) {
 		const struct spectrum_bin *bin = &whole->all[b];
-		double part = part_of_bin_above(b, cut);
+		double part = share_of_bin_above_cut(b, cut);
 		add_impact_to_bin(&node, part * bin->mass, part * bin->energy);
 		done += part * bin->energy;
 		double due = above.energy * (double)(to.n + 1) / IMPACTS_MOST;
@@ -243,12 +245,12 @@ spectrum_equivalent_k(const struct spectrum *s, const struct spectrum_size *of,
 
 /* Returns the share of the impacts above cut that are above r v^2/2. */
 static double
-share_of_impacts_above(
+share_of_impacts_above_energy(
     const struct spectrum_size *of, double v, double cut, double r)
 {
 	double from = fmax(cut, r * v * v / 2);
-	return spectrum_impacts_above(of, from, false).mass /
-	       spectrum_impacts_above(of, cut, false).mass;
+	return spectrum_impacts_above_energy(of, from, false).mass /
+	       spectrum_impacts_above_energy(of, cut, false).mass;
 }
 
 double
@@ -257,13 +259,13 @@ spectrum_ks_distance(
 {
 	double largest = 0, slower = fmin(a->speed, b->speed);
 	double least = cut / (slower * slower / 2);
-	FREED struct spectrum_size *of_a = spectrum_merge_sizes(a);
-	FREED struct spectrum_size *of_b = spectrum_merge_sizes(b);
+	FREED struct spectrum_size *of_a = spectrum_sum_over_sizes(a);
+	FREED struct spectrum_size *of_b = spectrum_sum_over_sizes(b);
 	for (size_t i = 0; i < 200; i++) {
 		double r = least * el_pow(2 / least, (double)i / 199);
-		double d = share_of_impacts_above(of_a, a->speed,
+		double d = share_of_impacts_above_energy(of_a, a->speed,
 			       least * a->speed * a->speed / 2, r) -
-			   share_of_impacts_above(of_b, b->speed,
+			   share_of_impacts_above_energy(of_b, b->speed,
 			       least * b->speed * b->speed / 2, r);
 		largest = fmax(largest, fabs(d));
 	}

@@ -51,7 +51,7 @@ void spectrum_add_first_impact(
     struct spectrum *s, double size, double mass, double energy);
 
 /* Returns the sum over all sizes, with size 0.  The caller frees it. */
-struct spectrum_size *spectrum_merge_sizes(const struct spectrum *s);
+struct spectrum_size *spectrum_sum_over_sizes(const struct spectrum *s);
 
 /* Returns the lower edge of a bin, J/kg, or for SPECTRUM_BINS the upper edge of
  * the last bin. */
@@ -59,7 +59,7 @@ double spectrum_bin_edge(size_t bin);
 
 /* Returns the impacts above the energy `cut`, J/kg.  A bin that the cut divides
  * counts in part, in proportion to ln e. */
-struct spectrum_bin spectrum_impacts_above(
+struct spectrum_bin spectrum_impacts_above_energy(
     const struct spectrum_size *s, double cut, bool first);
 
 /* Returns the impacts per particle of `of` above the cut, averaged by mass, or
@@ -74,7 +74,8 @@ double spectrum_impacts_per_particle(
  * w = r = 1 and n = 1 gives the paper's Eq 3.  The nodes are the impacts above
  * the cut in groups of equal total energy w r, each at its mean energy (D15).
  * n is 1 if particles were not counted.  The speed must be known. */
-struct impacts spectrum_reduce_to_impacts(const struct spectrum *s, double cut);
+struct impacts spectrum_group_impacts_by_energy(
+    const struct spectrum *s, double cut);
 
 /* Returns the k with which Eq 3, for a single impact at E = v^2/2 (J/kg),
  * breaks as much as the impacts of `of` do.  e0 (J/kg) is the threshold E0_min

@@ -19,7 +19,7 @@ static const double SIEVES_MM[] = {
 /* Returns twice the top size, the top size, and the series below twice the top
  * size without sieves within 5 % of these two. */
 static struct psd
-synth_sieve_series(double top_mm)
+synth_make_sieve_series(double top_mm)
 {
 	struct psd feed = psd_new(ARRAY_LEN(SIEVES_MM) + 2);
 	double own[2] = {2 * top_mm, top_mm};
@@ -48,9 +48,9 @@ round_passing(double passing)
 }
 
 static struct psd
-synth_feed(const struct synth *s, double n)
+synth_make_feed(const struct synth *s, double n)
 {
-	struct psd feed = synth_sieve_series(s->top_size * 1000);
+	struct psd feed = synth_make_sieve_series(s->top_size * 1000);
 	for (size_t i = 0; i < feed.n; i++) {
 		double d = feed.size[i] / s->top_size;
 		double above = 0.9 + 0.1 * el_log(d) / el_log(2);
@@ -72,14 +72,14 @@ digest_synth_numbers(const struct synth *s)
 }
 
 static struct psd
-synth_product(const struct synth *s, const struct psd *feed, double speed,
+synth_make_product(const struct synth *s, const struct psd *feed, double speed,
     struct rng_key key)
 {
 	struct psd product = psd_copy(feed);
 	struct model *model =
 	    model_new(feed, feed->size, feed->n, model_settings_default());
-	model_use_params(model, &s->params);
-	model_product(model, speed, product.passing);
+	model_set_params(model, &s->params);
+	model_compute_product(model, speed, product.passing);
 	model_free(model);
 	double ceiling = 1;
 	for (size_t i = 0; i < product.n; i++) {
@@ -93,7 +93,7 @@ synth_product(const struct synth *s, const struct psd *feed, double speed,
 }
 
 struct site *
-synth_site(const struct synth *s)
+synth_make_site(const struct synth *s)
 {
 	enum { USE_FEED = 1, USE_PRODUCT = 2 };
 	struct site *site = site_new(s->n_speed);
@@ -108,8 +108,8 @@ synth_site(const struct synth *s)
 		if (s->individual_feeds)
 			n *= 1 + 0.05 * rng_normal(feed_key, 0);
 		run->speed = s->speed[r];
-		run->feed = synth_feed(s, n);
-		run->product = synth_product(s, &run->feed, s->speed[r],
+		run->feed = synth_make_feed(s, n);
+		run->product = synth_make_product(s, &run->feed, s->speed[r],
 		    rng_make_key(s->seed ^ numbers, r, USE_PRODUCT));
 	}
 	site_update_digest_and_mean_feed(site);

@@ -31,6 +31,6 @@ struct synth {
  *
  * The errors depend on the seed and on the numbers above, not on names: two
  * sites with the same numbers (departure D9) get the same runs. */
-struct site *synth_site(const struct synth *synth);
+struct site *synth_make_site(const struct synth *synth);
 
 #endif

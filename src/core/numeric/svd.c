@@ -17,7 +17,7 @@ static const double NOTHING = 1e-17;
 enum { SWEEPS_MOST = 60 };
 
 static void
-rotate_columns(double *a, double *b, size_t n, double c, double s)
+svd_rotate_columns(double *a, double *b, size_t n, double c, double s)
 {
 	for (size_t i = 0; i < n; i++) {
 		double x = a[i], y = b[i];
@@ -28,7 +28,7 @@ rotate_columns(double *a, double *b, size_t n, double c, double s)
 
 /* Makes two columns orthogonal.  Returns false if they already were. */
 static bool
-svd_orthogonalise_columns(double *a, double *b, size_t rows, double *va,
+svd_orthogonalise_two_columns(double *a, double *b, size_t rows, double *va,
     double *vb, size_t n, double least)
 {
 	double aa = el_dot(a, a, rows), bb = el_dot(b, b, rows),
@@ -41,8 +41,8 @@ svd_orthogonalise_columns(double *a, double *b, size_t rows, double *va,
 	double t = 1 / (fabs(zeta) + sqrt(1 + zeta * zeta));
 	t = zeta < 0 ? -t : t;
 	double c = 1 / sqrt(1 + t * t);
-	rotate_columns(a, b, rows, c, c * t);
-	rotate_columns(va, vb, n, c, c * t);
+	svd_rotate_columns(a, b, rows, c, c * t);
+	svd_rotate_columns(va, vb, n, c, c * t);
 	return true;
 }
 
@@ -83,7 +83,7 @@ svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma)
 		turned = false;
 		for (size_t a = 0; a + 1 < n; a++)
 			for (size_t b = a + 1; b < n; b++)
-				turned |= svd_orthogonalise_columns(
+				turned |= svd_orthogonalise_two_columns(
 				    A + a * rows, A + b * rows, rows, V + a * n,
 				    V + b * n, n, least);
 	}

@@ -14,13 +14,13 @@
 static const double LINEAR = 1.5976, CUBIC = 0.07056;
 
 static double
-share_of_coordinate(double x)
+share_from_coordinate(double x)
 {
 	return 1 / (1 + el_exp(-x * (LINEAR + CUBIC * x * x)));
 }
 
 static double
-density_of_share(double x)
+minus_log_share_density(double x)
 {
 	double rise = x * (LINEAR + CUBIC * x * x), at = el_exp(-fabs(rise));
 	return fabs(rise) + 2 * el_log(1 + at) -
@@ -35,7 +35,7 @@ logistic(double x)
 
 /* Keeps a share away from 0 and 1, whose coordinates would be infinite. */
 static double
-keep_share_inside_ends(double share)
+clamp_share_off_0_and_1(double share)
 {
 	const double least = 1e-3;
 	return fmin(fmax(share, least), 1 - least);
@@ -44,9 +44,9 @@ keep_share_inside_ends(double share)
 /* Returns the coordinate of a share, by Newton's method on a cubic that rises
  * everywhere. */
 static double
-coordinate_of_share(double share)
+share_to_unbounded_coordinate(double share)
 {
-	share = keep_share_inside_ends(share);
+	share = clamp_share_off_0_and_1(share);
 	double rise = el_log(share / (1 - share)), x = rise / LINEAR;
 	for (size_t i = 0; i < 20; i++)
 		x -= (x * (LINEAR + CUBIC * x * x) - rise) /
@@ -92,7 +92,7 @@ coordinates_new_about_fit(const struct params *fit, const struct bounds *bounds,
 /* Reflects [gauge] numbers in place, so that the pole and the axis of the held
  * parameter change places. */
 static void
-coordinates_reflect_pole(const struct coordinates *c, double *w)
+coordinates_swap_pole_and_axis(const struct coordinates *c, double *w)
 {
 	double product = 0, squares = 0, normal[PARAMS_MOST];
 	for (size_t j = 0; j < c->of->gauge; j++) {
@@ -123,7 +123,7 @@ has_any_progeny(const struct coordinates *c, const double *gauge)
 
 /* Computes the gauge at x and returns its part of the prior. */
 static double
-gauge_from_coordinates(const struct coordinates *c, const double *x, double *at)
+betas_from_coordinates(const struct coordinates *c, const double *x, double *at)
 {
 	double squares = 0;
 	for (size_t j = 0; j < c->of->gauge; j++)
@@ -131,21 +131,21 @@ gauge_from_coordinates(const struct coordinates *c, const double *x, double *at)
 	for (size_t j = 0; j < c->of->gauge; j++)
 		at[j] = j == c->held ? c->sign * (1 - squares) / (1 + squares)
 				     : x[j] / (1 + squares);
-	coordinates_reflect_pole(c, at);
+	coordinates_swap_pole_and_axis(c, at);
 	if (!(c->sign * at[c->held] > 0) || !has_any_progeny(c, at))
 		return INFINITY;
 	return (double)(c->of->gauge - 1) * el_log(1 + squares);
 }
 
 static void
-coordinates_from_gauge(const struct coordinates *c, const double *at, double *x)
+coordinates_from_betas(const struct coordinates *c, const double *at, double *x)
 {
 	double squares = 0;
 	for (size_t j = 0; j < c->of->gauge; j++)
 		squares += at[j] * at[j];
 	for (size_t j = 0; j < c->of->gauge; j++)
 		x[j] = at[j] / sqrt(squares);
-	coordinates_reflect_pole(c, x);
+	coordinates_swap_pole_and_axis(c, x);
 	double along = c->sign * x[c->held];
 	for (size_t j = 0; j < c->of->gauge; j++)
 		x[j] *= 2 / (1 + fmax(along, 0));
@@ -155,7 +155,7 @@ coordinates_from_gauge(const struct coordinates *c, const double *at, double *x)
 /* Finds the range of alpha for a break size x*: alpha lies within its own
  * bounds, and e0_min within its bounds at either end. */
 static void
-range_of_alpha(
+alpha_range_at_break_size(
     const struct coordinates *c, double log_break, double *low, double *high)
 {
 	size_t alpha = c->of->strength + 2;
@@ -171,11 +171,11 @@ strength_and_prior_from_coordinates(
     const struct coordinates *c, const double *x, double *at)
 {
 	size_t f = c->of->strength;
-	double share = share_of_coordinate(x[f]),
+	double share = share_from_coordinate(x[f]),
 	       log_break = c->largest / share, low, high;
 	double hard = logistic(x[f + 1]);
-	range_of_alpha(c, log_break, &low, &high);
-	double alpha = low + (high - low) * share_of_coordinate(x[f + 2]);
+	alpha_range_at_break_size(c, log_break, &low, &high);
+	double alpha = low + (high - low) * share_from_coordinate(x[f + 2]);
 	double e0 = el_exp(c->middle + alpha * log_break);
 	at[f] = c->bounds.lower[f] +
 		(c->bounds.upper[f] - c->bounds.lower[f]) * hard;
@@ -185,12 +185,12 @@ strength_and_prior_from_coordinates(
 	    hard * (1 - hard) * alpha * (high - low) * e0 / (share * share);
 	if (!(low < high) || !(density > 0))
 		return INFINITY;
-	return density_of_share(x[f]) + density_of_share(x[f + 2]) -
-	       el_log(density);
+	return minus_log_share_density(x[f]) +
+	       minus_log_share_density(x[f + 2]) - el_log(density);
 }
 
 static void
-coordinates_from_strength(
+coordinates_from_strength_params(
     const struct coordinates *c, const double *at, double *x)
 {
 	size_t f = c->of->strength;
@@ -198,12 +198,13 @@ coordinates_from_strength(
 	       high;
 	double log_break = (el_log(e0) - c->middle) / alpha;
 	double hard =
-	    keep_share_inside_ends((at[f] - c->bounds.lower[f]) /
-				   (c->bounds.upper[f] - c->bounds.lower[f]));
-	x[f] = coordinate_of_share(c->largest / log_break);
-	range_of_alpha(c, c->largest / share_of_coordinate(x[f]), &low, &high);
+	    clamp_share_off_0_and_1((at[f] - c->bounds.lower[f]) /
+				    (c->bounds.upper[f] - c->bounds.lower[f]));
+	x[f] = share_to_unbounded_coordinate(c->largest / log_break);
+	alpha_range_at_break_size(
+	    c, c->largest / share_from_coordinate(x[f]), &low, &high);
 	x[f + 1] = el_log(hard / (1 - hard));
-	x[f + 2] = coordinate_of_share((alpha - low) / (high - low));
+	x[f + 2] = share_to_unbounded_coordinate((alpha - low) / (high - low));
 }
 
 static bool
@@ -229,7 +230,7 @@ coordinates_to_params(const struct coordinates *c, const double *x, double *at)
 			sum = INFINITY;
 	}
 	if (c->of->gauge > 0)
-		sum += gauge_from_coordinates(c, x, at);
+		sum += betas_from_coordinates(c, x, at);
 	return c->by_slope ? sum + strength_and_prior_from_coordinates(c, x, at)
 			   : sum;
 }
@@ -240,9 +241,9 @@ coordinates_from_params(
 {
 	memcpy(x, at, c->of->n * sizeof *x);
 	if (c->of->gauge > 0)
-		coordinates_from_gauge(c, at, x);
+		coordinates_from_betas(c, at, x);
 	if (c->by_slope)
-		coordinates_from_strength(c, at, x);
+		coordinates_from_strength_params(c, at, x);
 }
 
 void

@@ -50,7 +50,7 @@ enumerate_cell_sizes(struct covariance *c)
 /* Moves the size of each cell to the nearest of SIZES even steps from the
  * finest to the coarsest. */
 static void
-move_sizes_to_grid(struct cell *cell, size_t n)
+snap_sizes_to_even_steps(struct cell *cell, size_t n)
 {
 	double least = INFINITY, most = -INFINITY;
 	for (size_t i = 0; i < n; i++) {
@@ -64,7 +64,7 @@ move_sizes_to_grid(struct cell *cell, size_t n)
 }
 
 static void
-find_blocks_of_runs(struct covariance *c)
+find_covariance_blocks_of_runs(struct covariance *c)
 {
 	c->first = xcalloc(c->n + 1, sizeof *c->first);
 	c->at = xcalloc(c->n + 1, sizeof *c->at);
@@ -94,11 +94,11 @@ covariance_new(enum isa isa, struct cell *cell, size_t n)
 		return c;
 	c->size = xcalloc(n, sizeof *c->size);
 	if (!enumerate_cell_sizes(c)) {
-		move_sizes_to_grid(cell, n);
+		snap_sizes_to_even_steps(cell, n);
 		memcpy(c->cell, cell, n * sizeof *cell);
 		enumerate_cell_sizes(c);
 	}
-	find_blocks_of_runs(c);
+	find_covariance_blocks_of_runs(c);
 	return c;
 }
 
@@ -129,8 +129,8 @@ struct size_pairs {
 };
 
 static void
-fill_size_pairs(const struct covariance *c, const double hyper[static HYPERS],
-    struct size_pairs *pairs)
+fill_size_pair_covariances(const struct covariance *c,
+    const double hyper[static HYPERS], struct size_pairs *pairs)
 {
 	size_t n = 0;
 	for (size_t s = 0; s < c->sizes; s++)
@@ -141,7 +141,7 @@ fill_size_pairs(const struct covariance *c, const double hyper[static HYPERS],
 }
 
 static void
-factor_block_of_run(const struct covariance *c, size_t b,
+factor_covariance_of_run(const struct covariance *c, size_t b,
     const struct size_pairs *pairs, double own, double *U)
 {
 	size_t first = c->first[b], n = c->first[b + 1] - first;
@@ -189,7 +189,7 @@ add_run_to_coupling_matrix(const struct covariance *c, size_t b,
 
 /* Computes to = U G U', [n * n]; U is upper triangular. */
 static void
-multiply_on_both_sides(
+multiply_matrix_on_both_sides(
     const double *U, const double *G, size_t n, double *work, double *to)
 {
 	for (size_t i = 0; i < n; i++)
@@ -208,7 +208,7 @@ multiply_on_both_sides(
 
 /* Returns the slope, or 1 for the first process. */
 static double
-slope_factor_of_process(
+slope_factor_of_covariance_term(
     const struct covariance *c, const double *factor, size_t term)
 {
 	return term == 0 ? 1 : factor[c->at_slope];
@@ -223,9 +223,10 @@ factor_coupling_matrix(
 	double *work = xcalloc_doubles(2 * S * S), *part = work + S * S;
 	for (size_t j = 0; j < TERMS; j++)
 		for (size_t k = j; k < TERMS; k++, G += S * S) {
-			double scale = slope_factor_of_process(c, factor, j) *
-				       slope_factor_of_process(c, factor, k);
-			multiply_on_both_sides(
+			double scale =
+			    slope_factor_of_covariance_term(c, factor, j) *
+			    slope_factor_of_covariance_term(c, factor, k);
+			multiply_matrix_on_both_sides(
 			    factor + c->at_K, G, S, work, part);
 			for (size_t i = 0; i < S * S; i++)
 				A[(j * S + i / S) * m + k * S + i % S] =
@@ -238,7 +239,7 @@ factor_coupling_matrix(
 }
 
 static void
-factor_by_woodbury(const struct covariance *c,
+factor_covariance_by_woodbury(const struct covariance *c,
     const double log_hyper[static HYPERS], double *factor)
 {
 	enum { PAIRS = TERMS * (TERMS + 1) / 2 };
@@ -247,13 +248,14 @@ factor_by_woodbury(const struct covariance *c,
 	for (size_t i = 0; i < HYPERS; i++)
 		hyper[i] = el_exp(log_hyper[i]);
 	factor[c->at_slope] = hyper[HYPER_SLOPE];
-	fill_size_pairs(c, hyper, &pairs);
-	discrepancy_factor_pairs(c->isa, pairs.f, c->sizes, factor + c->at_K);
+	fill_size_pair_covariances(c, hyper, &pairs);
+	discrepancy_factor_pair_covariances(
+	    c->isa, pairs.f, c->sizes, factor + c->at_K);
 	double *G = xcalloc_doubles(PAIRS * c->sizes * c->sizes);
 	double *work = xcalloc_doubles(c->largest * c->largest);
 	for (size_t b = 0; b < c->blocks; b++) {
 		double *U = factor + c->at[b];
-		factor_block_of_run(c, b, &pairs, hyper[HYPER_OWN], U);
+		factor_covariance_of_run(c, b, &pairs, hyper[HYPER_OWN], U);
 		add_run_to_coupling_matrix(c, b, U, G, work);
 	}
 	factor_coupling_matrix(c, G, factor);
@@ -263,10 +265,12 @@ factor_by_woodbury(const struct covariance *c,
 
 /* ---- Its use ---- */
 
-/* add_cells_to_processes adds B' d of a run to f, which has a value for each
- * term and size; add_processes_to_cells adds B f to d.  Both omit the slope. */
+/* add_cells_to_discrepancy_terms adds B' d of a run to f, which has a value for
+ * each term and size; add_discrepancy_to_cells adds B f to d.  Both omit the
+ * slope.
+ * */
 static void
-add_cells_to_processes(
+add_cells_to_discrepancy_terms(
     const struct covariance *c, size_t b, const double *d, double *f)
 {
 	double term[TERMS];
@@ -278,7 +282,7 @@ add_cells_to_processes(
 }
 
 static void
-add_processes_to_cells(
+add_discrepancy_to_cells(
     const struct covariance *c, size_t b, const double *f, double *d)
 {
 	double term[TERMS];
@@ -289,11 +293,11 @@ add_processes_to_cells(
 				f[j * c->sizes + c->size[i]];
 }
 
-/* multiply_processes_by_upper computes L' f of each process, times the slope;
- * multiply_processes_by_lower computes L f.  Both work in place, in an order in
- * which no value is overwritten before it has been read. */
+/* multiply_discrepancy_by_upper computes L' f of each process, times the slope;
+ * multiply_discrepancy_by_lower computes L f.  Both work in place, in an order
+ * in which no value is overwritten before it has been read. */
 static void
-multiply_processes_by_upper(
+multiply_discrepancy_by_upper(
     const struct covariance *c, const double *factor, double *f)
 {
 	const double *K = factor + c->at_K;
@@ -303,12 +307,13 @@ multiply_processes_by_upper(
 			double sum = 0;
 			for (size_t k = i; k < S; k++)
 				sum += K[i * S + k] * f[k];
-			f[i] = slope_factor_of_process(c, factor, j) * sum;
+			f[i] =
+			    slope_factor_of_covariance_term(c, factor, j) * sum;
 		}
 }
 
 static void
-multiply_processes_by_lower(
+multiply_discrepancy_by_lower(
     const struct covariance *c, const double *factor, double *f)
 {
 	const double *K = factor + c->at_K;
@@ -318,7 +323,8 @@ multiply_processes_by_lower(
 			double sum = 0;
 			for (size_t k = 0; k <= i; k++)
 				sum += K[k * S + i] * f[k];
-			f[i] = slope_factor_of_process(c, factor, j) * sum;
+			f[i] =
+			    slope_factor_of_covariance_term(c, factor, j) * sum;
 		}
 }
 
@@ -335,9 +341,9 @@ covariance_minus_log_density(
 		const double *U = factor + c->at[b];
 		level += discrepancy_minus_log_density(c->isa, U, n, d + first);
 		discrepancy_solve_upper(U, n, d + first);
-		add_cells_to_processes(c, b, d, f);
+		add_cells_to_discrepancy_terms(c, b, d, f);
 	}
-	multiply_processes_by_upper(c, factor, f);
+	multiply_discrepancy_by_upper(c, factor, f);
 	level += discrepancy_minus_log_density(c->isa, factor + c->at_A, m, f);
 	for (size_t i = 0; i < m; i++)
 		level -= f[i] * f[i];
@@ -363,14 +369,14 @@ solve_by_woodbury(const struct covariance *c, const double *factor, double *d)
 	size_t m = TERMS * c->sizes;
 	for (size_t b = 0; b < c->blocks; b++) {
 		solve_covariance_of_run(c, factor, b, d);
-		add_cells_to_processes(c, b, d, f);
+		add_cells_to_discrepancy_terms(c, b, d, f);
 	}
-	multiply_processes_by_upper(c, factor, f);
+	multiply_discrepancy_by_upper(c, factor, f);
 	discrepancy_solve_lower(c->isa, A, m, f);
 	discrepancy_solve_upper(A, m, f);
-	multiply_processes_by_lower(c, factor, f);
+	multiply_discrepancy_by_lower(c, factor, f);
 	for (size_t b = 0; b < c->blocks; b++) {
-		add_processes_to_cells(c, b, f, less);
+		add_discrepancy_to_cells(c, b, f, less);
 		solve_covariance_of_run(c, factor, b, less);
 	}
 	for (size_t i = 0; i < c->n; i++)
@@ -379,11 +385,11 @@ solve_by_woodbury(const struct covariance *c, const double *factor, double *d)
 }
 
 void
-covariance_factor(const struct covariance *c,
+covariance_compute_factor(const struct covariance *c,
     const double log_hyper[static HYPERS], double *factor)
 {
 	if (c->many)
-		factor_by_woodbury(c, log_hyper, factor);
+		factor_covariance_by_woodbury(c, log_hyper, factor);
 	else
 		discrepancy_factor_covariance(
 		    c->isa, c->cell, c->n, log_hyper, factor);

@@ -32,7 +32,7 @@ void covariance_free(struct covariance *covariance);
 size_t covariance_factor_size(const struct covariance *covariance);
 
 /* Computes factor [covariance_factor_size]. */
-void covariance_factor(const struct covariance *covariance,
+void covariance_compute_factor(const struct covariance *covariance,
     const double log_hyper[static HYPERS], double *factor);
 
 /* Returns -ln of the probability of the differences d [n], up to a constant; d

@@ -28,7 +28,7 @@ const struct hyper_info HYPER[HYPERS] = {
 static const double STEP = 0.135;
 
 double
-discrepancy_speed_to_t(double v, double middle)
+discrepancy_speed_to_coordinate(double v, double middle)
 {
 	return (2 * el_log(v) - el_log(2) - middle) / STEP;
 }
@@ -68,7 +68,7 @@ discrepancy_minus_log_prior(const double log_hyper[static HYPERS], double noise)
 }
 
 static const struct triangle *
-triangle_for_isa(enum isa isa)
+triangle_functions_for_isa(enum isa isa)
 {
 	static const struct triangle *const TRIANGLES[] = {
 	    &TRIANGLE_BASE, &TRIANGLE_AVX2, &TRIANGLE_AVX512};
@@ -79,18 +79,19 @@ void
 discrepancy_covariances_of_pairs(enum isa isa, size_t n,
     const double hyper[static HYPERS], double *f, double *error)
 {
-	triangle_for_isa(isa)->pairs(n, hyper, f, error);
+	triangle_functions_for_isa(isa)->pairs(n, hyper, f, error);
 }
 
 void
-discrepancy_draw_normals(
+discrepancy_random_normals(
     enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z)
 {
-	triangle_for_isa(isa)->normals(key, next, n, z);
+	triangle_functions_for_isa(isa)->normals(key, next, n, z);
 }
 
 void
-discrepancy_factor_pairs(enum isa isa, const double *pair, size_t n, double *U)
+discrepancy_factor_pair_covariances(
+    enum isa isa, const double *pair, size_t n, double *U)
 {
 	for (size_t i = 0; i < n; i++) {
 		for (size_t j = 0; j <= i; j++)
@@ -103,13 +104,13 @@ discrepancy_factor_pairs(enum isa isa, const double *pair, size_t n, double *U)
 void
 discrepancy_cholesky(enum isa isa, double *U, size_t n)
 {
-	triangle_for_isa(isa)->cholesky(U, n);
+	triangle_functions_for_isa(isa)->cholesky(U, n);
 }
 
 void
 discrepancy_solve_lower(enum isa isa, const double *U, size_t n, double *d)
 {
-	triangle_for_isa(isa)->forward(U, n, d);
+	triangle_functions_for_isa(isa)->forward(U, n, d);
 }
 
 void
@@ -169,7 +170,7 @@ discrepancy_fill_covariance(enum isa isa, const struct cell *cell, size_t n,
 		for (size_t k = 0; k < DISCREPANCY_TERMS; k++)
 			c.term[k][i] = term[k];
 	}
-	triangle_for_isa(isa)->covariance(&c, hyper, U);
+	triangle_functions_for_isa(isa)->covariance(&c, hyper, U);
 	free(column);
 	free(number);
 }

@@ -45,7 +45,7 @@ struct hyper_info {
 extern const struct hyper_info HYPER[HYPERS];
 
 /* Returns t for a tip speed, m/s; middle: ln of the mean energy, J/kg. */
-double discrepancy_speed_to_t(double v, double middle);
+double discrepancy_speed_to_coordinate(double v, double middle);
 
 /* Sets term to the factors of f_0, f_1 and f_2 at t. */
 enum { DISCREPANCY_TERMS = 3 };
@@ -75,7 +75,7 @@ discrepancy_clamp_passing(double P, double least)
  * which also corrects model passings of 0 and 1.  The result is at least
  * `least`, the passing of the feed or of the next finer size, and at most 1. */
 static inline double
-discrepancy_correct_passing(double P, double delta, double least)
+discrepancy_corrected_passing(double P, double delta, double least)
 {
 	double h = discrepancy_scale_at_passing(P), square = delta * delta;
 	double more = square * (1 - 2 * P) + delta * sqrt(square + h * h);
@@ -138,12 +138,12 @@ discrepancy_index_of_pair(size_t i, size_t j)
 /* Computes the Cholesky factor U [n * n] of the covariance of n sizes from the
  * covariances of pairs.  Raises the diagonal slightly, because sizes may be
  * close together. */
-void discrepancy_factor_pairs(
+void discrepancy_factor_pair_covariances(
     enum isa isa, const double *pair, size_t n, double *U);
 
 /* Sets z [n] to standard normal numbers of a stream, starting at number
  * `next`. */
-void discrepancy_draw_normals(
+void discrepancy_random_normals(
     enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z);
 
 /* A measured passing: ln of its size in m, its t and its h. */

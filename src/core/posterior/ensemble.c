@@ -133,7 +133,7 @@ find_knots_of_sieves(struct ensemble *e, const double *size)
 }
 
 static void
-set_parameter_column(struct ensemble *e, size_t column, const struct params *p,
+set_params_of_draw(struct ensemble *e, size_t column, const struct params *p,
     const struct strengths *rock)
 {
 	size_t f = breakage_model_of_params(p)->strength;
@@ -146,24 +146,23 @@ set_parameter_column(struct ensemble *e, size_t column, const struct params *p,
 }
 
 static void
-set_parameter_columns(struct ensemble *e)
+set_params_of_all_draws(struct ensemble *e)
 {
 	const struct posterior *p = e->of;
 	for (size_t i = FIT; i < ALL; i++)
-		set_parameter_column(
-		    e, i, &p->fit, &(struct strengths){0, 1, 1});
+		set_params_of_draw(e, i, &p->fit, &(struct strengths){0, 1, 1});
 	for (size_t d = 0; d < DRAWS; d++)
-		set_parameter_column(
+		set_params_of_draw(
 		    e, d, &p->draw[d].params, &p->draw[d].strengths);
 }
 
 /* In most fits gamma and kappa are 0.  Then the product is that of the paper's
  * model, which takes a fraction of the time. */
 static void
-use_narrowest_exact_model(struct ensemble *e, struct params fit)
+use_smallest_equivalent_model(struct ensemble *e, struct params fit)
 {
-	struct params p = breakage_params_in_narrower(&fit);
-	model_use_params(e->exact, &p);
+	struct params p = breakage_params_in_narrower_model(&fit);
+	model_set_params(e->exact, &p);
 }
 
 /* Chooses the speeds of the grid: evenly spaced in the range that is pooled,
@@ -209,10 +208,10 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	    .feed = xcalloc_doubles(n),
 	    .delta = xcalloc_doubles(p->n_knot * DRAWS),
 	    .more = 1};
-	use_narrowest_exact_model(e, p->fit);
+	use_smallest_equivalent_model(e, p->fit);
 	for (size_t j = 0; j < breakage_model_of_params(&p->fit)->n; j++)
 		e->theta[j] = xcalloc_doubles(ALL);
-	set_parameter_columns(e);
+	set_params_of_all_draws(e);
 	for (size_t i = 0; i < n; i++)
 		e->feed[i] = psd_passing(feed, size[i]);
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
@@ -224,7 +223,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 }
 
 static void
-free_rising_grid(struct ensemble *e)
+free_grid_of_rising_answers(struct ensemble *e)
 {
 	for (size_t k = 0; k < RISING; k++) {
 		free(e->rising[k]);
@@ -235,18 +234,19 @@ free_rising_grid(struct ensemble *e)
 }
 
 void
-ensemble_set_machine(struct ensemble *e, struct model_settings settings)
+ensemble_set_machine_settings(
+    struct ensemble *e, struct model_settings settings)
 {
 	const struct params *fit = &e->of->fit;
 	size_t strength = breakage_model_of_params(fit)->strength;
 	e->more = settings.k / e->of->settings.k;
 	struct params p = *fit;
 	p.at[strength] *= e->more;
-	use_narrowest_exact_model(e, p);
-	set_parameter_columns(e);
+	use_smallest_equivalent_model(e, p);
+	set_params_of_all_draws(e);
 	e->bypass = settings.bypass;
 	e->at = 0;
-	free_rising_grid(e);
+	free_grid_of_rising_answers(e);
 }
 
 void
@@ -267,7 +267,7 @@ ensemble_free(struct ensemble *e)
 	free(e->knot);
 	free(e->share);
 	free(e->delta);
-	free_rising_grid(e);
+	free_grid_of_rising_answers(e);
 	free(e);
 }
 
@@ -286,7 +286,7 @@ static const double SLOW = 0.875;
 /* Returns a draw's S of the coarsest size at speed v.  Its rock may have two
  * strengths. */
 static double
-selection_of_coarsest_size(
+broken_share_of_coarsest_size(
     const struct posterior *p, const struct posterior_draw *draw, double v)
 {
 	const struct strengths *rock = &draw->strengths;
@@ -298,28 +298,30 @@ selection_of_coarsest_size(
 	double k = p->settings.k, E = specific_energy_at_speed(v),
 	       size = p->knot[0];
 	double share = strengths_softer_share(rock),
-	       S = selection_by_impacts(by, harder, k, E, size, NULL);
+	       S = selection_share_by_impacts(by, harder, k, E, size, NULL);
 	if (share > 0)
 		S += share *
-		     (selection_by_impacts(by, softer, k, E, size, NULL) - S);
+		     (selection_share_by_impacts(by, softer, k, E, size, NULL) -
+			 S);
 	return S;
 }
 
 /* Computes left [DRAWS], the share of each draw's correction that remains at
  * speed v, 0..1.  Returns the speed at which to compute the correction. */
 static double
-compute_correction_left(const struct posterior *p, double v, double *left)
+compute_correction_share_left(const struct posterior *p, double v, double *left)
 {
 	double at = fmax(v, SLOW * p->speed[0]);
 	for (size_t d = 0; d < DRAWS; d++) {
 		left[d] = 1;
 		if (v == at)
 			continue;
-		double there = selection_of_coarsest_size(p, &p->draw[d], at);
-		left[d] =
-		    there > 0
-			? selection_of_coarsest_size(p, &p->draw[d], v) / there
-			: 0;
+		double there =
+		    broken_share_of_coarsest_size(p, &p->draw[d], at);
+		left[d] = there > 0 ? broken_share_of_coarsest_size(
+					  p, &p->draw[d], v) /
+					  there
+				    : 0;
 	}
 	return at;
 }
@@ -346,8 +348,8 @@ static void
 fill_discrepancy_at_knots(struct ensemble *e, double v)
 {
 	const struct posterior *p = e->of;
-	double left[DRAWS], at = compute_correction_left(p, v, left);
-	double t = discrepancy_speed_to_t(at, p->middle);
+	double left[DRAWS], at = compute_correction_share_left(p, v, left);
+	double t = discrepancy_speed_to_coordinate(at, p->middle);
 	double factor[DISCREPANCY_TERMS][DRAWS];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double term[DISCREPANCY_TERMS];
@@ -378,7 +380,7 @@ ensemble_discrepancy_of_draw(const struct ensemble *e, size_t d, double *delta)
 /* Fills row i of model and answer.  The row of the next finer size must
  * exist. */
 static void
-fill_model_and_answer_row(const struct ensemble *e, size_t i,
+fill_passing_draws_at_sieve(const struct ensemble *e, size_t i,
     double *restrict model, double *restrict answer)
 {
 	const double *P = e->product + i * ALL;
@@ -390,14 +392,15 @@ fill_model_and_answer_row(const struct ensemble *e, size_t i,
 		double more = share * delta[d] + rest * delta[d + DRAWS];
 		double finer = answer[d + DRAWS];
 		model[d] = p;
-		answer[d] = discrepancy_correct_passing(
+		answer[d] = discrepancy_corrected_passing(
 		    p, more, finer > feed ? finer : feed);
 	}
 }
 
-/* As fill_model_and_answer_row, for row i of the samples. */
+/* As fill_passing_draws_at_sieve, for row i of the samples. */
 static void
-fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
+fill_sample_draws_at_sieve(
+    const struct ensemble *e, size_t i, double *restrict sample)
 {
 	const double *answer = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
 	const double *error = e->of->error + e->knot[i] * DRAWS;
@@ -412,12 +415,13 @@ fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
 
 /* Makes the samples, only on request because few callers need them. */
 static void
-make_ensemble_samples(struct ensemble *e)
+simulate_new_belt_cuts(struct ensemble *e)
 {
 	if (e->sampled)
 		return;
 	for (size_t i = e->n; i-- > 0;)
-		fill_sample_row(e, i, e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
+		fill_sample_draws_at_sieve(
+		    e, i, e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
 	e->sampled = true;
 }
 
@@ -432,18 +436,18 @@ ensemble_add_bypass(struct ensemble *e)
 }
 
 void
-ensemble_set_speed_as_drawn(struct ensemble *e, double v)
+ensemble_set_speed_unconstrained(struct ensemble *e, double v)
 {
 	struct kernel_out out = {
 	    e->misfit, e->product, ALL, e->softer, e->share_softer};
 	e->at = 0;
 	kernel_set_speed(e->kernel, v);
 	const double *const *theta = (const double *const *)e->theta;
-	kernel_evaluate_part(e->kernel, theta, 0, ALL, 0, &out);
-	model_product(e->exact, v, e->fit);
+	kernel_evaluate_candidates(e->kernel, theta, 0, ALL, 0, &out);
+	model_compute_product(e->exact, v, e->fit);
 	fill_discrepancy_at_knots(e, v);
 	for (size_t i = e->n; i-- > 0;)
-		fill_model_and_answer_row(e, i,
+		fill_passing_draws_at_sieve(e, i,
 		    e->part[ENSEMBLE_MODEL] + i * DRAWS,
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
 	e->sampled = false;
@@ -507,14 +511,14 @@ static void
 compute_answers_at_grid_speed(struct ensemble *e, size_t k)
 {
 	size_t size = e->n * DRAWS;
-	ensemble_set_speed_as_drawn(e, e->speed[k]);
+	ensemble_set_speed_unconstrained(e, e->speed[k]);
 	e->rising[k] = xcalloc_doubles(size);
 	e->moved[k] = xcalloc(size, sizeof **e->moved);
 	memcpy(e->rising[k], e->part[ENSEMBLE_ANSWER], size * sizeof(double));
 }
 
 static void
-make_rising_grid(struct ensemble *e)
+compute_draws_rising_with_speed(struct ensemble *e)
 {
 	for (size_t k = SLOWEST; k <= e->last; k++)
 		compute_answers_at_grid_speed(e, k);
@@ -528,7 +532,7 @@ make_rising_grid(struct ensemble *e)
  * already there do not change: those at each added speed are limited by its
  * neighbour's. */
 static void
-extend_rising_grid(struct ensemble *e, double v)
+extend_grid_of_rising_answers(struct ensemble *e, double v)
 {
 	while (e->slowest > 0 && v < e->speed[e->slowest]) {
 		size_t k = --e->slowest;
@@ -556,7 +560,7 @@ extend_rising_grid(struct ensemble *e, double v)
  * interpolated linearly if pooling changed it at either; otherwise it is as
  * drawn. */
 static void
-limit_answers_by_grid(struct ensemble *e, double v)
+force_answers_to_rise_with_speed(struct ensemble *e, double v)
 {
 	size_t k = grid_index_below_speed(e, v);
 	const double *below = e->rising[k], *above = e->rising[k + 1];
@@ -579,10 +583,10 @@ static void
 compute_rising_answers_at_speed(struct ensemble *e, double v)
 {
 	if (e->rising[SLOWEST] == NULL)
-		make_rising_grid(e);
-	extend_rising_grid(e, v);
-	ensemble_set_speed_as_drawn(e, v);
-	limit_answers_by_grid(e, v);
+		compute_draws_rising_with_speed(e);
+	extend_grid_of_rising_answers(e, v);
+	ensemble_set_speed_unconstrained(e, v);
+	force_answers_to_rise_with_speed(e, v);
 }
 
 /* True if v lies between two measured speeds, with indices *k and *k + 1. */
@@ -598,7 +602,7 @@ is_between_measured_speeds(const struct posterior *p, double v, size_t *k)
 /* True if a draw is straight between measured speeds.  Neighbouring draws may
  * resemble each other, so the straight ones are spread over all of them. */
 static bool
-is_draw_straight(const struct posterior *p, size_t draw)
+is_posterior_draw_linear_in_speed(const struct posterior *p, size_t draw)
 {
 	size_t place = draw * 97 % DRAWS;
 	return (double)place + 0.5 < p->straight * DRAWS;
@@ -606,7 +610,7 @@ is_draw_straight(const struct posterior *p, size_t draw)
 
 /* Computes the answers at a speed between two measured ones (D25, thin.h). */
 static void
-compute_draws_between_runs(struct ensemble *e, double v, size_t k)
+compute_answers_between_speeds(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
 	double a = p->speed[k], b = p->speed[k + 1];
@@ -616,7 +620,8 @@ compute_draws_between_runs(struct ensemble *e, double v, size_t k)
 	const double *below = e->rising[e->measured[k]],
 		     *above = e->rising[e->measured[k + 1]];
 	for (size_t d = 0; d < DRAWS; d++)
-		for (size_t i = d; is_draw_straight(p, d) && i < e->n * DRAWS;
+		for (size_t i = d; is_posterior_draw_linear_in_speed(p, d) &&
+				   i < e->n * DRAWS;
 		     i += DRAWS)
 			answer[i] = below[i] + t * (above[i] - below[i]);
 }
@@ -653,14 +658,15 @@ ensemble_true_speed_of_draw(const struct posterior *p, size_t draw, double v)
  * grid, keeps the answers at the ensemble's speed, limited by the end of the
  * grid. */
 static void
-read_draw_off_grid(struct ensemble *e, size_t draw, double w)
+interpolate_draw_on_speed_grid(struct ensemble *e, size_t draw, double w)
 {
 	const struct posterior *p = e->of;
 	size_t k, at = grid_index_below_speed(e, w), next = at + 1;
 	double from = e->speed[at], to = e->speed[next];
 	double t = (w - from) / (to - from);
 	double *answer = e->part[ENSEMBLE_ANSWER];
-	if (is_draw_straight(p, draw) && is_between_measured_speeds(p, w, &k)) {
+	if (is_posterior_draw_linear_in_speed(p, draw) &&
+	    is_between_measured_speeds(p, w, &k)) {
 		at = e->measured[k];
 		next = e->measured[k + 1];
 		from = p->speed[k] * p->speed[k];
@@ -681,7 +687,7 @@ read_draw_off_grid(struct ensemble *e, size_t draw, double w)
 /* Computes the answer of each draw at its own true speed for a stated speed v.
  * The true speed rises with v, and so does the answer. */
 static void
-compute_answers_at_true_speeds(struct ensemble *e, double v)
+compute_draws_at_true_speeds(struct ensemble *e, double v)
 {
 	double speed[DRAWS], slowest = v, fastest = v;
 	for (size_t d = 0; d < DRAWS; d++) {
@@ -690,12 +696,12 @@ compute_answers_at_true_speeds(struct ensemble *e, double v)
 		fastest = fmax(fastest, speed[d]);
 	}
 	if (e->rising[SLOWEST] == NULL)
-		make_rising_grid(e);
-	extend_rising_grid(e, slowest);
-	extend_rising_grid(e, fastest);
-	ensemble_set_speed_as_drawn(e, v);
+		compute_draws_rising_with_speed(e);
+	extend_grid_of_rising_answers(e, slowest);
+	extend_grid_of_rising_answers(e, fastest);
+	ensemble_set_speed_unconstrained(e, v);
 	for (size_t d = 0; d < DRAWS; d++)
-		read_draw_off_grid(e, d, speed[d]);
+		interpolate_draw_on_speed_grid(e, d, speed[d]);
 }
 
 void
@@ -705,13 +711,13 @@ ensemble_set_speed(struct ensemble *e, double v)
 	if (v == e->at)
 		return;
 	if (e->of->speed_sd > 0)
-		compute_answers_at_true_speeds(e, v);
+		compute_draws_at_true_speeds(e, v);
 	else if (is_between_measured_speeds(e->of, v, &k))
-		compute_draws_between_runs(e, v, k);
+		compute_answers_between_speeds(e, v, k);
 	else
 		compute_rising_answers_at_speed(e, v);
 	if (e->bypass > 0) {
-		make_ensemble_samples(e);
+		simulate_new_belt_cuts(e);
 		ensemble_add_bypass(e);
 	}
 	e->at = v;
@@ -721,7 +727,7 @@ const double *
 ensemble_products(struct ensemble *e, enum ensemble_part part)
 {
 	if (part == ENSEMBLE_SAMPLE)
-		make_ensemble_samples(e);
+		simulate_new_belt_cuts(e);
 	return e->part[part];
 }
 
@@ -747,7 +753,7 @@ ensemble_mean_answer(const struct ensemble *e, double *passing)
  * end is an average of the values around it, with weights that fall with the
  * distance, because a single value is subject to chance. */
 static void
-middle_interval(
+sort_and_find_middle_interval(
     double *value, size_t n, double level, double *low, double *high)
 {
 	size_t cut = (size_t)floor((1 - level) / 2 * (double)n + 0.5);
@@ -769,7 +775,7 @@ ensemble_middle_interval(double *value, double level, double *low, double *high)
 	for (size_t i = 0; i < DRAWS; i++)
 		if (isnan(value[i]))
 			value[i] = -INFINITY;
-	middle_interval(value, DRAWS, level, low, high);
+	sort_and_find_middle_interval(value, DRAWS, level, low, high);
 	if (*low < -1e300)
 		*low = NAN;
 	if (*high < -1e300)
@@ -790,8 +796,8 @@ ensemble_interval_around_answer(
 }
 
 void
-ensemble_row_interval(struct ensemble *e, enum ensemble_part part, size_t row,
-    double level, double *low, double *high)
+ensemble_interval_at_sieve(struct ensemble *e, enum ensemble_part part,
+    size_t row, double level, double *low, double *high)
 {
 	double value[DRAWS];
 	memcpy(value, ensemble_products(e, part) + row * DRAWS, sizeof value);
@@ -804,16 +810,19 @@ ensemble_difference_of_halves(struct ensemble *e, double v)
 	enum { HALF = DRAWS / 2 };
 	const double rounding = 0.001, level = 0.8;
 	double sum = 0, n = 0;
-	ensemble_set_speed_as_drawn(e, v);
+	ensemble_set_speed_unconstrained(e, v);
 	for (size_t i = 0; i < e->n; i++) {
 		const double *P = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
 		double value[DRAWS], low[3], high[3];
 		memcpy(value, P, sizeof value);
 		double off = gsl_stats_mean(value, 1, HALF) -
 			     gsl_stats_mean(value + HALF, 1, HALF);
-		middle_interval(value, HALF, level, &low[0], &high[0]);
-		middle_interval(value + HALF, HALF, level, &low[1], &high[1]);
-		middle_interval(value, DRAWS, level, &low[2], &high[2]);
+		sort_and_find_middle_interval(
+		    value, HALF, level, &low[0], &high[0]);
+		sort_and_find_middle_interval(
+		    value + HALF, HALF, level, &low[1], &high[1]);
+		sort_and_find_middle_interval(
+		    value, DRAWS, level, &low[2], &high[2]);
 		double width = high[2] - low[2];
 		if (width < rounding)
 			continue;

@@ -18,7 +18,8 @@ void ensemble_free(struct ensemble *e);
 
 /* Sets a machine other than the measured one.  Uses the settings' bypass and k,
  * which scales f_mat in every draw; their method must be the posterior's. */
-void ensemble_set_machine(struct ensemble *e, struct model_settings settings);
+void ensemble_set_machine_settings(
+    struct ensemble *e, struct model_settings settings);
 
 /* The parts of an ensemble: products of the model alone, which differ only in
  * their parameters; products with the discrepancy, whose mean is the answer;
@@ -39,7 +40,7 @@ void ensemble_set_speed(struct ensemble *e, double v);
 /* As ensemble_set_speed, but without D23, D25, speed errors and the bypass.
  * This saves computing products at some sixty speeds, for callers that read
  * only the model or differences. */
-void ensemble_set_speed_as_drawn(struct ensemble *e, double v);
+void ensemble_set_speed_unconstrained(struct ensemble *e, double v);
 
 /* Returns the total speed error in an answer, in errors of one stated speed:
  * that of the speed asked about, combined with that of the mean speed of the
@@ -60,7 +61,7 @@ double ensemble_true_speed_of_draw(
 const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 
 /* Computes delta [n], the discrepancy over h of a draw at the ensemble's speed
- * and sizes; see discrepancy_correct_passing. */
+ * and sizes; see discrepancy_corrected_passing. */
 void ensemble_discrepancy_of_draw(
     const struct ensemble *e, size_t draw, double *delta);
 
@@ -68,7 +69,7 @@ const struct posterior *ensemble_posterior(const struct ensemble *e);
 
 /* Computes the interval that holds the middle `level` (0..1) of a row of
  * products. */
-void ensemble_row_interval(struct ensemble *e, enum ensemble_part part,
+void ensemble_interval_at_sieve(struct ensemble *e, enum ensemble_part part,
     size_t row, double level, double *low, double *high);
 
 /* Computes passing [n]: the mean of the answers, which is the best single

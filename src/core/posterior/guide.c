@@ -30,7 +30,7 @@ add_chain_to_moments(
 
 /* Moves the moments part of the way to other moments. */
 static void
-blend_moments(struct guide *g, double part, const struct moments *to)
+move_moments_part_way(struct guide *g, double part, const struct moments *to)
 {
 	for (size_t i = 0; i < g->size; i++) {
 		g->of.mean[i] += part * (to->mean[i] - g->of.mean[i]);
@@ -51,7 +51,7 @@ guide_add_generation(struct guide *g, const double *const *x, size_t chains,
 	for (size_t c = 0; c < chains; c++)
 		add_chain_to_moments(g, x[c], 1 / (double)chains, &sum);
 	g->n += weight;
-	blend_moments(g, weight / g->n, &sum);
+	move_moments_part_way(g, weight / g->n, &sum);
 }
 
 void
@@ -59,7 +59,7 @@ guide_merge_moments(
     struct guide *g, const struct guide *other, double generations)
 {
 	g->n += generations;
-	blend_moments(g, generations / g->n, &other->of);
+	move_moments_part_way(g, generations / g->n, &other->of);
 }
 
 void
@@ -114,8 +114,8 @@ guide_log_density(const struct guide_subset *part, const double *x)
 }
 
 double
-guide_propose(const struct guide_subset *part, double share, const double *x,
-    double *y, struct rng_key key, uint32_t next)
+guide_propose_mcmc_step(const struct guide_subset *part, double share,
+    const double *x, double *y, struct rng_key key, uint32_t next)
 {
 	double z[GUIDE_MOST], more = 0;
 	guide_standardise(part, x, z);

@@ -45,7 +45,7 @@ void guide_factor_subset(const struct guide *g, const size_t *at, size_t n,
  * probability `share`.  Uses 2 n random numbers of the stream, starting at
  * number `next`.  Returns ln N(y) - ln N(x), which the acceptance of the move
  * must correct for. */
-double guide_propose(const struct guide_subset *part, double share,
+double guide_propose_mcmc_step(const struct guide_subset *part, double share,
     const double *x, double *y, struct rng_key key, uint32_t next);
 
 /* Returns ln N(x), up to a constant. */

@@ -20,7 +20,7 @@ static const double DETERMINED = 0.1, POORLY = 0.5;
 static const double EDGE = 0.02, MANY = 0.2;
 
 static void
-copy_draws_of_parameter(
+copy_posterior_draws_of_param(
     const struct posterior *p, size_t j, double value[static DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++)
@@ -28,7 +28,7 @@ copy_draws_of_parameter(
 }
 
 static int
-bound_where_draws_lie(const double *value, double lower, double upper)
+bound_where_posterior_lies(const double *value, double lower, double upper)
 {
 	double edge = EDGE * (upper - lower), low = 0, high = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
@@ -40,7 +40,8 @@ bound_where_draws_lie(const double *value, double lower, double upper)
 
 /* Computes the first n parameters of a draw, scaled to a vector of length 1. */
 static void
-direction_of_draw(const struct posterior *p, size_t d, size_t n, double *unit)
+unit_vector_of_draw_params(
+    const struct posterior *p, size_t d, size_t n, double *unit)
 {
 	double squares = 0;
 	for (size_t j = 0; j < n; j++)
@@ -57,7 +58,7 @@ scatter_of_draw_directions(const struct posterior *p, size_t n)
 {
 	double mean[PARAMS_MOST] = {0}, unit[PARAMS_MOST], length = 0, sum = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
-		direction_of_draw(p, d, n, unit);
+		unit_vector_of_draw_params(p, d, n, unit);
 		for (size_t j = 0; j < n; j++)
 			mean[j] += unit[j];
 	}
@@ -65,7 +66,7 @@ scatter_of_draw_directions(const struct posterior *p, size_t n)
 		length += mean[j] * mean[j];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double along = 0;
-		direction_of_draw(p, d, n, unit);
+		unit_vector_of_draw_params(p, d, n, unit);
 		for (size_t j = 0; j < n; j++)
 			along += unit[j] * mean[j] / sqrt(length);
 		sum += fmax(1 - along * along, 0) / DRAWS;
@@ -81,7 +82,7 @@ identify_summarise_param(const struct posterior *p, size_t j)
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	const struct param_info *info = &of->parameter[j];
 	double range = j < of->gauge ? 2 : b->upper[j] - b->lower[j];
-	copy_draws_of_parameter(p, j, value);
+	copy_posterior_draws_of_param(p, j, value);
 	struct identify_param a = {.mean = gsl_stats_mean(value, 1, DRAWS),
 	    .sd = gsl_stats_sd(value, 1, DRAWS),
 	    .prior = info->spread > 0 ? info->spread : range / sqrt(12)};
@@ -98,9 +99,9 @@ identify_summarise_param(const struct posterior *p, size_t j)
 		  : a.ratio < DETERMINED ? IDENTIFY_DETERMINED
 		  : a.ratio < POORLY     ? IDENTIFY_POORLY
 					 : IDENTIFY_NOT;
-	a.bound = moves && j >= of->gauge
-		      ? bound_where_draws_lie(value, b->lower[j], b->upper[j])
-		      : 0;
+	a.bound = moves && j >= of->gauge ? bound_where_posterior_lies(
+						value, b->lower[j], b->upper[j])
+					  : 0;
 	return a;
 }
 
@@ -108,8 +109,8 @@ struct identify_pair
 identify_correlate_params(const struct posterior *p, size_t i, size_t j)
 {
 	double a[DRAWS], b[DRAWS], work[2 * DRAWS];
-	copy_draws_of_parameter(p, i, a);
-	copy_draws_of_parameter(p, j, b);
+	copy_posterior_draws_of_param(p, i, a);
+	copy_posterior_draws_of_param(p, j, b);
 	if (!(gsl_stats_sd(a, 1, DRAWS) > 0 && gsl_stats_sd(b, 1, DRAWS) > 0))
 		return (struct identify_pair){NAN, NAN};
 	return (struct identify_pair){gsl_stats_correlation(a, 1, b, 1, DRAWS),
@@ -117,7 +118,7 @@ identify_correlate_params(const struct posterior *p, size_t i, size_t j)
 }
 
 double
-identify_stronger_correlation(struct identify_pair pair)
+identify_larger_of_rank_or_linear(struct identify_pair pair)
 {
 	return fabs(pair.rank) > fabs(pair.linear) ? pair.rank : pair.linear;
 }

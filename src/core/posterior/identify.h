@@ -41,7 +41,7 @@ struct identify_pair identify_correlate_params(
     const struct posterior *p, size_t i, size_t j);
 
 /* Returns the correlation with the larger absolute value. */
-double identify_stronger_correlation(struct identify_pair pair);
+double identify_larger_of_rank_or_linear(struct identify_pair pair);
 
 /* The break size, m, at tip speed v: its mean, standard deviation and middle 80
  * %, over the draws in which something breaks.  below: the share of the draws

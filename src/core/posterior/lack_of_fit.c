@@ -17,7 +17,7 @@ compute_run_residuals(const struct posterior *p, const struct misfit_run *run,
     double *r, double *h)
 {
 	struct ensemble *e = ensemble_new(p, &run->feed, run->sieve, run->n);
-	ensemble_set_speed_as_drawn(e, run->speed);
+	ensemble_set_speed_unconstrained(e, run->speed);
 	ensemble_mean_answer(e, r);
 	for (size_t i = 0; i < run->n; i++) {
 		h[i] =
@@ -30,7 +30,7 @@ compute_run_residuals(const struct posterior *p, const struct misfit_run *run,
 /* Returns the standard deviation of the errors that a sample shares along its
  * curve. */
 static double
-estimate_shared_error(const struct posterior *p, const struct misfit *m)
+estimate_error_along_curve(const struct posterior *p, const struct misfit *m)
 {
 	double sum = 0;
 	if (m->n_run == p->n_speed)
@@ -43,7 +43,8 @@ estimate_shared_error(const struct posterior *p, const struct misfit *m)
 /* Returns the share of residuals r [n] that belongs to the product and not to
  * the sample. */
 static double
-share_due_to_product(const double *r, const double *h, size_t n, double shared)
+residual_share_due_to_product(
+    const double *r, const double *h, size_t n, double shared)
 {
 	double along = 0, squares = 0, explained = 2 * shared;
 	for (size_t i = 0; i < n; i++) {
@@ -105,7 +106,7 @@ index_of_speed(const struct posterior *p, double v)
  * [m->n_residual], times the share [m->n_run] of their run.  Averages
  * repeats. */
 static void
-add_shares_of_residuals(struct posterior *p, const struct misfit *m,
+add_weighted_residuals_of_runs(struct posterior *p, const struct misfit *m,
     const double *r, const double *h, const double *share)
 {
 	double repeats[POSTERIOR_RUNS] = {0};
@@ -130,24 +131,24 @@ residuals_of_runs(const struct posterior *p, const struct misfit *m)
 }
 
 void
-lack_of_fit_find(struct posterior *p, const struct misfit *m)
+lack_of_fit_compute(struct posterior *p, const struct misfit *m)
 {
 	if (p->n_speed < 2)
 		return;
 	double *r = residuals_of_runs(p, m), *h = r + m->n_residual;
 	double *share = xcalloc_doubles(m->n_run),
-	       shared = estimate_shared_error(p, m);
+	       shared = estimate_error_along_curve(p, m);
 	for (size_t j = 0, at = 0; j < m->n_run; at += m->run[j++].n)
-		share[j] =
-		    share_due_to_product(r + at, h + at, m->run[j].n, shared);
+		share[j] = residual_share_due_to_product(
+		    r + at, h + at, m->run[j].n, shared);
 	p->lack = xcalloc_doubles(p->n_speed * p->n_knot);
-	add_shares_of_residuals(p, m, r, h, share);
+	add_weighted_residuals_of_runs(p, m, r, h, share);
 	free(share);
 	free(r);
 }
 
 void
-lack_of_fit_add_smooth(struct posterior *p, const struct misfit *m)
+lack_of_fit_add_smooth_part(struct posterior *p, const struct misfit *m)
 {
 	const double usual = 0.1, most = 0.75; /* of the share q of D25 */
 	double law = fmin(1, (most - p->straight) / (most - usual));
@@ -157,7 +158,7 @@ lack_of_fit_add_smooth(struct posterior *p, const struct misfit *m)
 	double smooth = (1 - law * law) * smooth_share_of_residuals(m, r);
 	for (size_t j = 0; j < m->n_run; j++)
 		share[j] = smooth;
-	add_shares_of_residuals(p, m, r, r + m->n_residual, share);
+	add_weighted_residuals_of_runs(p, m, r, r + m->n_residual, share);
 	free(share);
 	free(r);
 }

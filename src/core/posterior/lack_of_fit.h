@@ -19,7 +19,7 @@
  *
  * Sets p->lack to this share of the residuals, over h, at the measured speeds
  * and the knots.  m: the runs that inform the draws. */
-void lack_of_fit_find(struct posterior *p, const struct misfit *m);
+void lack_of_fit_compute(struct posterior *p, const struct misfit *m);
 
 /* Adds to p->lack the smooth part of the residuals where the law is wrong.
  *
@@ -30,7 +30,7 @@ void lack_of_fit_find(struct posterior *p, const struct misfit *m);
  *   (1 - w^2) 2 sum r_i r_i+1 / sum r_i^2,  w = (0.75 - q) / 0.65,  0 to 1
  * is attributed to the product, where q is D25's (thin.h).  The share is 0 for
  * q up to 0.1, which plants that follow the model have.  Call after
- * thin_set_straight_share. */
-void lack_of_fit_add_smooth(struct posterior *p, const struct misfit *m);
+ * thin_set_linear_draw_share. */
+void lack_of_fit_add_smooth_part(struct posterior *p, const struct misfit *m);
 
 #endif

@@ -67,9 +67,10 @@ enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior, hyper_prior;
-	double volume; /* see rescale_to_cells */
-	double more;   /* correction of a guided move; see guide_propose */
-	double *U, *d; /* of covariance_factor; simulated - measured */
+	double volume; /* see rescale_trial_differences */
+	double
+	    more; /* correction of a guided move; see guide_propose_mcmc_step */
+	double *U, *d; /* of covariance_compute_factor; simulated - measured */
 };
 
 struct sampler {
@@ -114,12 +115,12 @@ struct sampler {
 };
 
 /* Rescales the differences of a trial d [n_cell], simulated - measured, from
- * its own h to that of the cells (list_measured_cells).  Then one covariance
+ * its own h to that of the cells (list_measured_passings).  Then one covariance
  * serves all trials, and a trial is compared in the same way as a draw is
- * corrected (discrepancy_correct_passing).  Returns ln of the factor by which
+ * corrected (discrepancy_corrected_passing).  Returns ln of the factor by which
  * this shrinks a volume. */
 static double
-rescale_to_cells(const struct sampler *s, double *d)
+rescale_trial_differences(const struct sampler *s, double *d)
 {
 	enum {
 		AT_ONCE = 16
@@ -141,7 +142,7 @@ rescale_to_cells(const struct sampler *s, double *d)
 }
 
 static void
-evaluate_trial(struct sampler *s, size_t place, double *work)
+evaluate_trial_of_chain(struct sampler *s, size_t place, double *work)
 {
 	size_t i = s->order[place];
 	struct chain *trial = &s->trial[i];
@@ -149,12 +150,13 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	size_t n = s->n_cell;
 	if (s->hyper) {
 		memcpy(trial->d, now->d, n * sizeof *now->d);
-		covariance_factor(
+		covariance_compute_factor(
 		    s->covariance, trial->x + PARAMS_MOST, trial->U);
 	}
 	for (size_t k = 0; k < n && !s->hyper; k++)
 		trial->d[k] = s->difference[k * HALF + place] + s->scheme[k];
-	trial->volume = s->hyper ? now->volume : rescale_to_cells(s, trial->d);
+	trial->volume =
+	    s->hyper ? now->volume : rescale_trial_differences(s, trial->d);
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
 	    trial->volume + covariance_minus_log_density(s->covariance,
@@ -169,37 +171,37 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 }
 
 static void
-compute_differences_of_trials(
+compute_residuals_of_trials(
     struct sampler *s, size_t from, size_t to, unsigned thread)
 {
 	struct kernel_out out = {
 	    s->misfit, s->difference, HALF, s->softer, s->share_softer};
-	kernel_evaluate_part(
+	kernel_evaluate_candidates(
 	    s->kernel, (const double *const *)s->theta, from, to, thread, &out);
 }
 
 static void
-evaluate_some_trials(void *data, size_t part, unsigned thread)
+evaluate_some_posterior_trials(void *data, size_t part, unsigned thread)
 {
 	struct sampler *s = data;
 	size_t from = part * s->part, to = from + s->part;
 	double *work = xcalloc_doubles(s->n_cell);
 	if (!s->hyper)
-		compute_differences_of_trials(s, from, to, thread);
+		compute_residuals_of_trials(s, from, to, thread);
 	for (size_t i = from; i < to; i++)
-		evaluate_trial(s, i, work);
+		evaluate_trial_of_chain(s, i, work);
 	free(work);
 }
 
 static struct strengths
-strengths_of_trial(const struct sampler *s, const double *x)
+rock_strengths_at_coordinates(const struct sampler *s, const double *x)
 {
 	return s->two ? strengths_from_coordinates(x + STRENGTHS)
 		      : (struct strengths){0, 1, 1};
 }
 
 static void
-place_trial_in_order(
+convert_trial_to_params(
     struct sampler *s, size_t i, struct strengths rock, size_t place)
 {
 	size_t e0 = s->of->strength + 1;
@@ -223,17 +225,18 @@ evaluate_all_trials(struct sampler *s)
 	for (size_t i = 0; i < HALF && s->hyper; i++)
 		s->order[i] = i;
 	for (size_t i = 0; i < HALF && !s->hyper; i++) {
-		struct strengths rock = strengths_of_trial(s, s->trial[i].x);
-		place_trial_in_order(
+		struct strengths rock =
+		    rock_strengths_at_coordinates(s, s->trial[i].x);
+		convert_trial_to_params(
 		    s, i, rock, rock.share > 0 ? two++ : --one);
 	}
-	pool_run(s->pool, HALF / s->part, evaluate_some_trials, s);
+	pool_run(s->pool, HALF / s->part, evaluate_some_posterior_trials, s);
 }
 
 /* Proposes a move of chain i along the difference of two chains of the other
  * half. */
 static void
-propose_along_difference(struct sampler *s, size_t i, struct rng_key key)
+propose_along_chain_difference(struct sampler *s, size_t i, struct rng_key key)
 {
 	const struct chain *other = &s->chain[s->first == 0 ? HALF : 0];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS);
@@ -259,7 +262,7 @@ propose_along_difference(struct sampler *s, size_t i, struct rng_key key)
 
 /* Returns 1 if the rock has two strengths, else 0. */
 static size_t
-index_of_strength_kind(const struct sampler *s, const double *x)
+has_two_strengths(const struct sampler *s, const double *x)
 {
 	return s->two && x[STRENGTHS] > 0;
 }
@@ -267,9 +270,9 @@ index_of_strength_kind(const struct sampler *s, const double *x)
 /* Returns ln of the density from which propose_guided_move draws, up to a
  * constant. */
 static double
-log_guided_density(const struct sampler *s, const double *x)
+log_guided_proposal_density(const struct sampler *s, const double *x)
 {
-	size_t kind = index_of_strength_kind(s, x);
+	size_t kind = has_two_strengths(s, x);
 	double sum = s->log_share[kind] + guide_log_density(&s->kind[kind], x);
 	for (size_t j = STRENGTHS; j < COORDINATES && kind == 0; j++)
 		sum -= x[j] * x[j] / 2;
@@ -278,9 +281,9 @@ log_guided_density(const struct sampler *s, const double *x)
 
 /* Draws the coordinates of the strengths from their prior, as the data say
  * nothing about them if the rock has only one strength.  Returns the same as
- * guide_propose. */
+ * guide_propose_mcmc_step. */
 static double
-draw_strengths_from_prior(double *x, struct rng_key key, uint32_t at)
+sample_strengths_from_prior(double *x, struct rng_key key, uint32_t at)
 {
 	double more = 0;
 	for (size_t j = STRENGTHS; j < COORDINATES; j++) {
@@ -303,20 +306,21 @@ propose_guided_move(struct sampler *s, size_t i, struct rng_key key)
 	struct chain *trial = &s->trial[i];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 4);
 	bool all = s->hyper || s->generation % 2 == 0;
-	size_t kind = index_of_strength_kind(s, now), to = kind;
+	size_t kind = has_two_strengths(s, now), to = kind;
 	if (all && !s->hyper && s->two)
 		to = el_log(rng_uniform(key, at)) < s->log_share[1];
 	memcpy(trial->x, now, sizeof trial->x);
-	trial->more = guide_propose(s->hyper ? &s->hypers : &s->kind[to],
-	    all ? 1 : half, now, trial->x, key, at + 1);
+	trial->more =
+	    guide_propose_mcmc_step(s->hyper ? &s->hypers : &s->kind[to],
+		all ? 1 : half, now, trial->x, key, at + 1);
 	if (!s->hyper && s->two && to == 0)
-		trial->more += draw_strengths_from_prior(
+		trial->more += sample_strengths_from_prior(
 		    trial->x, key, at + 1 + 2 * COORDINATES);
-	if (index_of_strength_kind(s, trial->x) != to)
+	if (has_two_strengths(s, trial->x) != to)
 		trial->more = INFINITY;
 	else if (to != kind)
-		trial->more = log_guided_density(s, trial->x) -
-			      log_guided_density(s, now);
+		trial->more = log_guided_proposal_density(s, trial->x) -
+			      log_guided_proposal_density(s, now);
 }
 
 /* Lists the coordinates that move in at [COORDINATES] and returns their
@@ -364,7 +368,7 @@ factor_guide_covariances(struct sampler *s)
  * because the cloud of chains has no useful shape while they are still choosing
  * valleys. */
 static void
-choose_kind_of_move(struct sampler *s)
+choose_kind_of_chain_move(struct sampler *s)
 {
 	size_t every = s->generation < WARM_UP ? 2 * HYPER_EVERY : HYPER_EVERY;
 	s->hyper = s->generation % every == every - 1;
@@ -413,7 +417,7 @@ accept_or_reject_trial(struct sampler *s, size_t i, struct rng_key key)
 
 /* Switches to the other half.  Returns true if both have moved. */
 static bool
-switch_to_other_half(struct sampler *s)
+switch_to_other_chain_half(struct sampler *s)
 {
 	s->first = HALF - s->first;
 	return s->first == 0;
@@ -424,14 +428,14 @@ static bool
 move_half_of_chains(struct sampler *s)
 {
 	struct rng_key key = rng_make_key(s->seed, s->generation, USE_MOVE);
-	choose_kind_of_move(s);
+	choose_kind_of_chain_move(s);
 	for (size_t i = 0; i < HALF; i++)
-		(s->guided ? propose_guided_move : propose_along_difference)(
-		    s, i, key);
+		(s->guided ? propose_guided_move
+			   : propose_along_chain_difference)(s, i, key);
 	evaluate_all_trials(s);
 	for (size_t i = 0; i < HALF; i++)
 		accept_or_reject_trial(s, i, key);
-	if (!switch_to_other_half(s))
+	if (!switch_to_other_chain_half(s))
 		return false;
 	s->generation++;
 	return true;
@@ -464,13 +468,13 @@ place_chain_near_fit(
 			rng_normal(key, (uint32_t)(PARAMS_MOST + h));
 	for (size_t j = STRENGTHS; j < COORDINATES; j++)
 		c->x[j] = rng_normal(key, (uint32_t)j);
-	covariance_factor(s->covariance, c->x + PARAMS_MOST, c->U);
+	covariance_compute_factor(s->covariance, c->x + PARAMS_MOST, c->U);
 	c->hyper_prior =
 	    discrepancy_minus_log_prior(c->x + PARAMS_MOST, s->noise);
 }
 
 static void
-start_sampling_half(struct sampler *s)
+start_half_of_chains(struct sampler *s)
 {
 	s->hyper = false;
 	s->share = FIRST_RUNG;
@@ -483,11 +487,12 @@ start_sampling_half(struct sampler *s)
 	evaluate_all_trials(s);
 	for (size_t i = 0; i < HALF; i++)
 		accept_trial(&s->chain[s->first + i], &s->trial[i], false);
-	s->started = switch_to_other_half(s);
+	s->started = switch_to_other_chain_half(s);
 }
 
 static void
-copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
+copy_markov_chain(
+    const struct sampler *s, struct chain *to, const struct chain *from)
 {
 	size_t room = covariance_factor_size(s->covariance);
 	memcpy(to->x, from->x, sizeof to->x);
@@ -502,7 +507,7 @@ copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 /* Lets a larger share of the likelihood count, and resamples the chains with
  * weights in proportion to the resulting change of their probability. */
 static void
-temper_chains(struct sampler *s, double share)
+resample_tempered_chains(struct sampler *s, double share)
 {
 	double weight[CHAINS], least = INFINITY, sum = 0, at = 0;
 	size_t copies[CHAINS] = {0}, spare = 0, drawn = 0;
@@ -525,7 +530,7 @@ temper_chains(struct sampler *s, double share)
 		for (; copies[i] > 1; copies[i]--) {
 			while (copies[spare] > 0)
 				spare++;
-			copy_chain(s, &s->chain[spare], &s->chain[i]);
+			copy_markov_chain(s, &s->chain[spare], &s->chain[i]);
 			copies[spare] = 1;
 		}
 }
@@ -581,7 +586,7 @@ difference_of_draw_halves(const struct posterior *p, size_t j)
 }
 
 static void
-measure_convergence(
+measure_chain_convergence(
     struct posterior *p, const struct sampler *s, const struct sums *sums)
 {
 	p->ratio = 1;
@@ -596,7 +601,7 @@ measure_convergence(
 /* Puts knots at the sizes of the cells and the ends of the feeds, and more in
  * wide gaps, so that a process is nearly linear between knots. */
 static void
-make_knots(
+make_log_size_knots(
     struct posterior *p, const struct site *site, const struct sampler *s)
 {
 	const double most = 0.2;
@@ -651,9 +656,9 @@ struct noise {
 };
 
 static void
-draw_random_normals(struct noise *noise, size_t n, double *z)
+next_random_normals(struct noise *noise, size_t n, double *z)
 {
-	discrepancy_draw_normals(noise->isa, noise->key, noise->next, n, z);
+	discrepancy_random_normals(noise->isa, noise->key, noise->next, n, z);
 	noise->next += (uint32_t)n;
 	for (size_t i = 0; i < n; i++)
 		z[i] *= noise->sign;
@@ -664,7 +669,7 @@ static void
 sample_gaussian_process(
     const double *U, size_t n, struct noise *noise, double *f, double *work)
 {
-	draw_random_normals(noise, n, work);
+	next_random_normals(noise, n, work);
 	for (size_t i = 0; i < n; i++)
 		f[i] = 0;
 	for (size_t k = 0; k < n; k++)
@@ -683,7 +688,7 @@ static double *
 factor_knot_covariance(enum isa isa, const double *pair, size_t m)
 {
 	double *U = xcalloc_doubles(m * m);
-	discrepancy_factor_pairs(isa, pair, m, U);
+	discrepancy_factor_pair_covariances(isa, pair, m, U);
 	return U;
 }
 
@@ -714,14 +719,14 @@ knot_pairs_clear(struct knot_pairs *k)
 /* Simulates d [n_cell], the differences of an artificial plant with processes
  * and errors drawn from the prior. */
 static void
-simulate_plant_differences(const struct sampler *s, const struct posterior *p,
+simulate_plant_residuals(const struct sampler *s, const struct posterior *p,
     const struct posterior_draw *draw, double *const *process,
     const double *shared, struct noise *noise, double *d)
 {
 	size_t m = p->n_knot;
 	double *error = xcalloc_doubles(m), *work = xcalloc_doubles(m);
 	double term[DISCREPANCY_TERMS];
-	draw_random_normals(noise, s->n_cell, d);
+	next_random_normals(noise, s->n_cell, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
 		size_t k = index_of_knot(p, c->log_size);
@@ -741,9 +746,9 @@ simulate_plant_differences(const struct sampler *s, const struct posterior *p,
  * using the differences between the data and the artificial plant's, d.  pair:
  * knot_pairs.f, because the sizes of the cells are among the knots. */
 static void
-condition_processes_on_data(const struct sampler *s, const struct posterior *p,
-    const struct chain *chain, const double *pair, double slope,
-    double *const *process, double *d)
+condition_discrepancy_on_data(const struct sampler *s,
+    const struct posterior *p, const struct chain *chain, const double *pair,
+    double slope, double *const *process, double *d)
 {
 	double term[DISCREPANCY_TERMS];
 	for (size_t i = 0; i < s->n_cell; i++)
@@ -772,8 +777,8 @@ make_posterior_draw(const struct sampler *s, struct posterior *p,
 	double *process[DISCREPANCY_TERMS], *next = room;
 	draw->params = s->fit;
 	coordinates_to_params(&s->coordinates, chain->x, draw->params.at);
-	params_scale_gauge_to_1(&draw->params);
-	draw->strengths = strengths_of_trial(s, chain->x);
+	params_scale_largest_beta_to_1(&draw->params);
+	draw->strengths = rock_strengths_at_coordinates(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
 		draw->hyper[j] = el_exp(chain->x[PARAMS_MOST + j]);
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++, next += m)
@@ -784,12 +789,11 @@ make_posterior_draw(const struct sampler *s, struct posterior *p,
 		sample_gaussian_process(
 		    pairs.wide, m, &noise, process[j], work);
 	sample_gaussian_process(pairs.shared, m, &noise, error, work);
-	draw_random_normals(&noise, m, work);
+	next_random_normals(&noise, m, work);
 	for (size_t k = 0; k < m; k++)
 		error[k] += draw->hyper[HYPER_OWN] * work[k];
-	simulate_plant_differences(
-	    s, p, draw, process, pairs.shared, &noise, d);
-	condition_processes_on_data(
+	simulate_plant_residuals(s, p, draw, process, pairs.shared, &noise, d);
+	condition_discrepancy_on_data(
 	    s, p, chain, pairs.f, draw->hyper[HYPER_SLOPE], process, d);
 	for (size_t k = 0; k < m; k++) {
 		size_t place = k * POSTERIOR_DRAWS + at;
@@ -819,11 +823,11 @@ widen_to_model_with_gamma(const struct params *p, double energy,
 {
 	const struct breakage *own = breakage_model_of_params(p);
 	size_t wide = settings->appearance == APPEARANCE_RATIO
-			  ? breakage_widest_extension(p->breakage)
+			  ? breakage_widest_containing_model(p->breakage)
 			  : p->breakage;
 	const struct breakage *of = BREAKAGES[wide];
 	struct bounds b = bounds_default(wide);
-	struct params q = breakage_params_in_wider(p, wide);
+	struct params q = breakage_params_in_wider_model(p, wide);
 	for (size_t j = 0; j < of->n; j++) {
 		const struct param_info *info = &of->parameter[j];
 		size_t i = breakage_parameter_index(own, info->name);
@@ -841,14 +845,15 @@ widen_to_model_with_gamma(const struct params *p, double energy,
 	}
 	settings->breakage = (unsigned)wide;
 	*bounds = b;
-	params_scale_gauge_to_1(&q);
+	params_scale_largest_beta_to_1(&q);
 	return q;
 }
 
 /* Lists the measured passings.  h is taken midway between the measured passing
  * and the fit's, because either may be an outlier. */
 static void
-list_measured_cells(struct sampler *s, const struct misfit *m, const double *d)
+list_measured_passings(
+    struct sampler *s, const struct misfit *m, const double *d)
 {
 	s->n_cell = m->n_residual;
 	s->cell = xcalloc(s->n_cell, sizeof *s->cell);
@@ -859,7 +864,7 @@ list_measured_cells(struct sampler *s, const struct misfit *m, const double *d)
 			s->measured[k] = m->run[r].measured[i];
 			s->cell[k] = (struct cell){.run = r,
 			    .log_size = el_log(m->run[r].sieve[i]),
-			    .t = discrepancy_speed_to_t(
+			    .t = discrepancy_speed_to_coordinate(
 				m->run[r].speed, s->coordinates.middle),
 			    .h = discrepancy_scale_at_passing(P)};
 		}
@@ -885,15 +890,15 @@ allocate_sampler(struct sampler *s)
 /* Computes the kernel's error at the fit: the exact differences d minus the
  * kernel's. */
 static void
-measure_error_of_kernel(struct sampler *s, const double *d)
+compute_kernel_error_at_fit(struct sampler *s, const double *d)
 {
 	struct kernel_out out = {
 	    .misfit = s->misfit, .difference = s->difference, .stride = HALF};
 	for (size_t j = 0; j < s->of->n; j++)
 		for (size_t i = 0; i < KERNEL_LANES; i++)
 			s->theta[j][i] = s->fit.at[j];
-	kernel_evaluate_part(s->kernel, (const double *const *)s->theta, 0,
-	    KERNEL_LANES, 0, &out);
+	kernel_evaluate_candidates(s->kernel, (const double *const *)s->theta,
+	    0, KERNEL_LANES, 0, &out);
 	for (size_t k = 0; k < s->n_cell; k++)
 		s->scheme[k] = d[k] - s->difference[k * HALF];
 }
@@ -901,7 +906,7 @@ measure_error_of_kernel(struct sampler *s, const double *d)
 /* Returns the largest number of trials at a time that leaves no thread idle:
  * among more trials, the kernel finds more that are alike. */
 static size_t
-count_trials_at_once(unsigned threads)
+choose_trial_batch_size(unsigned threads)
 {
 	size_t part = HALF;
 	while (part > PART && part * threads > HALF)
@@ -925,19 +930,19 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->coordinates = coordinates_new_about_fit(
 	    fit, bounds, &m->settings, el_log(mean_energy_of_runs(m)));
 	s->two = bounds->upper[f + 1] > bounds->lower[f + 1];
-	s->sensitivity = sensitivity_at_params(m, fit, bounds, true, NULL);
+	s->sensitivity = sensitivity_of_misfit(m, fit, bounds, true, NULL);
 	double squares = misfit_weighted_differences(m, fit, d);
 	s->rms = fmax(sqrt(squares / (double)m->n_residual), 0.001);
 	s->kernel = kernel_new(m, o->isa, o->threads);
 	s->pool = pool_new(o->threads);
-	s->part = count_trials_at_once(o->threads);
-	list_measured_cells(s, m, d);
+	s->part = choose_trial_batch_size(o->threads);
+	list_measured_passings(s, m, d);
 	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
 	allocate_sampler(s);
 	coordinates_from_params(&s->coordinates, fit->at, origin);
 	for (size_t kind = 0; kind < 2; kind++)
 		guide_init(&s->guide[kind], COORDINATES, origin);
-	measure_error_of_kernel(s, d);
+	compute_kernel_error_at_fit(s, d);
 	free(d);
 	return s;
 }
@@ -988,7 +993,7 @@ copy_site_with_smooth_feeds(const struct site *site)
 /* Returns marks [n_run] of the runs that inform the draws.  The caller frees
  * them. */
 static bool *
-mark_informing_runs(const struct site *site, const bool *use)
+mark_runs_informing_posterior(const struct site *site, const bool *use)
 {
 	size_t n = 0, at = 0, next = 0;
 	bool *taken = xcalloc(site->n_run, sizeof *taken);
@@ -1006,7 +1011,7 @@ mark_informing_runs(const struct site *site, const bool *use)
 }
 
 static void
-allocate_processes(struct posterior *p)
+allocate_discrepancy_draws(struct posterior *p)
 {
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 		p->term[j] = xcalloc_doubles(p->n_knot * POSTERIOR_DRAWS);
@@ -1014,7 +1019,7 @@ allocate_processes(struct posterior *p)
 }
 
 static void
-free_processes(struct posterior *p)
+free_discrepancy_draws(struct posterior *p)
 {
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 		free(p->term[j]);
@@ -1037,13 +1042,13 @@ list_run_speeds(struct posterior *p, const struct misfit *m)
 }
 
 struct posterior_run *
-posterior_begin(const struct site *measured, const struct params *fit,
+posterior_begin_sampling(const struct site *measured, const struct params *fit,
     const struct posterior_options *o)
 {
 	struct site *site = copy_site_with_smooth_feeds(measured);
 	struct posterior *p = xcalloc(1, sizeof *p);
 	struct bounds bounds = o->bounds;
-	bool *use = mark_informing_runs(site, o->use);
+	bool *use = mark_runs_informing_posterior(site, o->use);
 	struct misfit *m = misfit_new(site, use, NULL, false, o->settings);
 	p->settings = o->settings;
 	p->fit = widen_to_model_with_gamma(
@@ -1053,29 +1058,29 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	m = misfit_new(site, use, NULL, false, p->settings);
 	free(use);
 	size_t most = COVARIANCE_FEW / m->n_run;
-	misfit_thin_sieves(m, most < LEAST ? LEAST : most);
+	misfit_limit_sieves_per_run(m, most < LEAST ? LEAST : most);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->coordinates.middle;
 	p->speed_sd = o->speed_sd;
 	site_default_speed_range(site, &p->from, &p->to);
 	list_run_speeds(p, m);
-	make_knots(p, site, s);
-	allocate_processes(p);
+	make_log_size_knots(p, site, s);
+	allocate_discrepancy_draws(p);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
 	*run = (struct posterior_run){site, p, NULL,
 	    thin_new(measured, BATCHES), m, s, xcalloc(1, sizeof *run->sums)};
 	run->batch = xcalloc(BATCHES, sizeof *run->batch);
 	for (size_t b = 0; b < BATCHES; b++) {
 		run->batch[b] = *p;
-		allocate_processes(&run->batch[b]);
+		allocate_discrepancy_draws(&run->batch[b]);
 	}
 	return run;
 }
 
 /* Returns the number of draws that each chain should have made by now. */
 static size_t
-count_draws_due(const struct sampler *s)
+count_draws_due_per_chain(const struct sampler *s)
 {
 	return (size_t)(s->generation - WARM_UP) * DRAWS_EACH / KEPT;
 }
@@ -1085,7 +1090,8 @@ make_draws_of_some_chains(void *data, size_t part, unsigned thread)
 {
 	struct posterior_run *run = data;
 	struct sampler *s = run->s;
-	size_t which = count_draws_due(s) - 1, first = which % 2 * CHAINS;
+	size_t which = count_draws_due_per_chain(s) - 1,
+	       first = which % 2 * CHAINS;
 	(void)thread;
 	for (size_t i = part * PART; i < (part + 1) * PART; i++) {
 		struct noise noise = {s->isa,
@@ -1100,9 +1106,9 @@ static void
 make_draws_of_each_chain(struct posterior_run *run)
 {
 	pool_run(run->s->pool, CHAINS / PART, make_draws_of_some_chains, run);
-	size_t n = count_draws_due(run->s);
+	size_t n = count_draws_due_per_chain(run->s);
 	if (n % 2 == 0)
-		thin_add_answers_of_batch(run->thin, &run->batch[n / 2 - 1]);
+		thin_add_posterior_batch(run->thin, &run->batch[n / 2 - 1]);
 }
 
 static void
@@ -1125,7 +1131,7 @@ choose_posterior_draws(struct posterior_run *run)
 }
 
 static void
-update_guides(struct sampler *s)
+update_proposal_guides(struct sampler *s)
 {
 	double most = s->generation <= WARM_UP ? RECENT : KEPT;
 	double told = fmin(s->told + 1, most);
@@ -1133,7 +1139,7 @@ update_guides(struct sampler *s)
 	const double *x[2][CHAINS];
 	size_t n[2] = {0};
 	for (size_t i = 0; i < CHAINS; i++) {
-		size_t kind = index_of_strength_kind(s, s->chain[i].x);
+		size_t kind = has_two_strengths(s, s->chain[i].x);
 		x[kind][n[kind]++] = s->chain[i].x;
 	}
 	for (size_t kind = 0; kind < 2; kind++)
@@ -1149,14 +1155,14 @@ posterior_step(struct posterior_run *run)
 	if (s->generation == WARM_UP + KEPT)
 		return true;
 	if (!s->started) {
-		start_sampling_half(s);
+		start_half_of_chains(s);
 		return false;
 	}
 	if (!move_half_of_chains(s))
 		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
-		temper_chains(s, fmin(1, RISE * s->share));
-	update_guides(s);
+		resample_tempered_chains(s, fmin(1, RISE * s->share));
+	update_proposal_guides(s);
 	if (s->generation <= WARM_UP) {
 		s->accepted = s->tried = 0;
 		return false;
@@ -1167,10 +1173,10 @@ posterior_step(struct posterior_run *run)
 	if (s->generation < WARM_UP + KEPT)
 		return false;
 	choose_posterior_draws(run);
-	lack_of_fit_find(run->p, run->m);
-	thin_set_straight_share(run->thin, run->p);
-	lack_of_fit_add_smooth(run->p, run->m);
-	measure_convergence(run->p, s, run->sums);
+	lack_of_fit_compute(run->p, run->m);
+	thin_set_linear_draw_share(run->thin, run->p);
+	lack_of_fit_add_smooth_part(run->p, run->m);
+	measure_chain_convergence(run->p, s, run->sums);
 	return true;
 }
 
@@ -1182,7 +1188,7 @@ posterior_end(struct posterior_run *run)
 	struct posterior *p = run->p;
 	bool done = run->s->generation == WARM_UP + KEPT;
 	for (size_t b = 0; b < BATCHES; b++)
-		free_processes(&run->batch[b]);
+		free_discrepancy_draws(&run->batch[b]);
 	free(run->batch);
 	thin_free(run->thin);
 	sampler_free(run->s);
@@ -1200,7 +1206,7 @@ struct posterior *
 posterior_new(const struct site *site, const struct params *fit,
     const struct posterior_options *o)
 {
-	struct posterior_run *run = posterior_begin(site, fit, o);
+	struct posterior_run *run = posterior_begin_sampling(site, fit, o);
 	while (!posterior_step(run) && (o->stop == NULL || !o->stop()))
 		;
 	return posterior_end(run);
@@ -1211,7 +1217,7 @@ posterior_free(struct posterior *p)
 {
 	if (p == NULL)
 		return;
-	free_processes(p);
+	free_discrepancy_draws(p);
 	free(p->lack);
 	free(p->knot);
 	free(p);

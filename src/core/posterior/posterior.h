@@ -40,7 +40,7 @@ struct posterior *posterior_new(const struct site *site, const struct params *p,
  * posterior_end may be called at any time: it frees the run and returns the
  * posterior, or NULL before the last step. */
 struct posterior_run;
-struct posterior_run *posterior_begin(const struct site *site,
+struct posterior_run *posterior_begin_sampling(const struct site *site,
     const struct params *p, const struct posterior_options *options);
 bool posterior_step(struct posterior_run *run);
 struct posterior *posterior_end(struct posterior_run *run);

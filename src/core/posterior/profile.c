@@ -14,10 +14,10 @@ enum { STEPS = 60 };
 /* Fixes the largest parameter of the gauge and limits the others to its
  * size. */
 static void
-bounds_fix_gauge(struct bounds *b, const struct params *p)
+bounds_fix_largest_beta(struct bounds *b, const struct params *p)
 {
 	size_t gauge = breakage_model_of_params(p)->gauge;
-	size_t largest = params_largest_gauge_index(p);
+	size_t largest = params_index_of_largest_beta(p);
 	for (size_t i = 0; i < gauge; i++) {
 		double size = fabs(p->at[largest]);
 		b->lower[i] = i == largest ? p->at[i] : -size;
@@ -34,7 +34,7 @@ profile_misfit(struct misfit *m, const struct params *fit,
 	struct bounds b = *bounds;
 	size_t first = 0;
 	if (j < breakage_model_of_params(fit)->gauge)
-		bounds_fix_gauge(&b, fit);
+		bounds_fix_largest_beta(&b, fit);
 	while (first + 1 < n && x[first] < fit->at[j])
 		first++;
 	for (int up = 0; up < 2; up++) {
@@ -43,7 +43,8 @@ profile_misfit(struct misfit *m, const struct params *fit,
 		     i += up ? 1 : SIZE_MAX) {
 			b.lower[j] = b.upper[j] = p.at[j] = x[i];
 			misfit[i] =
-			    polish_run(polish, &b, STEPS, NULL, &p).misfit;
+			    polish_minimise_misfit(polish, &b, STEPS, NULL, &p)
+				.misfit;
 		}
 	}
 	polish_free(polish);

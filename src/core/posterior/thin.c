@@ -15,7 +15,7 @@
 #include "core/posterior/ensemble.h"
 
 /* An answer has three features: its value, and the side of each end of the band
- * on which it lies; see add_answer_features. */
+ * on which it lies; see fill_draw_features_of_answer. */
 enum { SPEEDS = 5, SIEVES = 16, FEATURES = 3 };
 
 struct thin {
@@ -56,7 +56,7 @@ thin_free(struct thin *t)
 }
 
 void
-thin_add_answers_of_batch(struct thin *t, const struct posterior *batch)
+thin_add_posterior_batch(struct thin *t, const struct posterior *batch)
 {
 	if (t->n_sieve > 0) {
 		struct ensemble *e =
@@ -64,7 +64,7 @@ thin_add_answers_of_batch(struct thin *t, const struct posterior *batch)
 		double *to = t->answer + t->added;
 		for (size_t k = 0; k < SPEEDS; k++) {
 			double far = (double)k / (SPEEDS - 1);
-			ensemble_set_speed_as_drawn(
+			ensemble_set_speed_unconstrained(
 			    e, batch->from + far * (batch->to - batch->from));
 			const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 			for (size_t i = 0; i < t->n_sieve; i++, to += t->n)
@@ -87,7 +87,7 @@ soft_sign_of_distance(double off)
 /* Writes the features of an answer to the candidates' rows [n][width], and adds
  * the answer to `by`, the values by which candidates are sorted. */
 static void
-add_answer_features(
+fill_draw_features_of_answer(
     const double *answer, size_t n, double *row, size_t width, double *by)
 {
 	const double end = 1.28; /* standard deviations, for a band of 80 % */
@@ -128,7 +128,8 @@ choose_draw_of_pair(const double *one, const double *two, size_t width,
 /* Keeps one draw of each pair.  The pairs choose in turn until no choice
  * changes. */
 static void
-keep_draw_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
+choose_draw_of_each_pair(
+    const double *row, size_t width, size_t *list, size_t n)
 {
 	enum { TURNS = 8 };
 	double *sum = xcalloc_doubles(width + 1),
@@ -151,7 +152,7 @@ keep_draw_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 /* Sorts the first and the second half of the candidates, each from the coarsest
  * to the finest, so that neighbours are alike. */
 static void
-sort_halves_by_value(const double *by, size_t n, size_t *list)
+sort_draw_halves_by_fineness(const double *by, size_t n, size_t *list)
 {
 	size_t half = n / 2;
 	gsl_sort_index(list, by, 1, half);
@@ -163,7 +164,7 @@ sort_halves_by_value(const double *by, size_t n, size_t *list)
 /* Keeps answers from falling with the speed (D23) over the few speeds used
  * here. */
 static void
-keep_answers_from_falling(struct thin *t)
+make_answers_rise_with_speed(struct thin *t)
 {
 	size_t size = t->n_sieve * t->n, length[SPEEDS];
 	double value[SPEEDS], weight[SPEEDS];
@@ -187,13 +188,13 @@ thin_choose_draws(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 	size_t n = t->n, answers = SPEEDS * t->n_sieve;
 	size_t width = FEATURES * answers, *list = xcalloc(n, sizeof *list);
 	double *row = xcalloc_doubles(n * width + 1), *by = xcalloc_doubles(n);
-	keep_answers_from_falling(t);
+	make_answers_rise_with_speed(t);
 	for (size_t k = 0; k < answers; k++)
-		add_answer_features(
+		fill_draw_features_of_answer(
 		    t->answer + k * n, n, row + k * FEATURES, width, by);
-	sort_halves_by_value(by, n, list);
+	sort_draw_halves_by_fineness(by, n, list);
 	for (; n > POSTERIOR_DRAWS; n /= 2)
-		keep_draw_of_each_pair(row, width, list, n);
+		choose_draw_of_each_pair(row, width, list, n);
 	memcpy(chosen, list, POSTERIOR_DRAWS * sizeof *list);
 	free(list);
 	free(row);
@@ -210,11 +211,11 @@ static const double MOST = 0.75;
 
 /* Computes the means of model [n] and answer [n] at a speed. */
 static void
-find_mean_model_and_answer(
+mean_model_and_corrected_products(
     struct ensemble *e, double v, double *model, double *answer)
 {
 	size_t n = ensemble_count_sieves(e);
-	ensemble_set_speed_as_drawn(e, v);
+	ensemble_set_speed_unconstrained(e, v);
 	const double *M = ensemble_products(e, ENSEMBLE_MODEL);
 	ensemble_mean_answer(e, answer);
 	for (size_t i = 0; i < n; i++, M += POSTERIOR_DRAWS) {
@@ -227,8 +228,8 @@ find_mean_model_and_answer(
 /* Returns q for a feed at sieves [n], coarsest first; 0 with fewer than two
  * speeds. */
 static double
-share_of_straight_draws(const struct posterior *p, const struct psd *feed,
-    const double *sieve, size_t n)
+share_of_draws_linear_in_speed(const struct posterior *p,
+    const struct psd *feed, const double *sieve, size_t n)
 {
 	double missed = 0, all = 0;
 	if (n == 0 || p->n_speed < 2)
@@ -237,7 +238,7 @@ share_of_straight_draws(const struct posterior *p, const struct psd *feed,
 	double *model = xcalloc_doubles(4 * n), *answer = model + 2 * n;
 	for (size_t k = 0; k < p->n_speed; k++) {
 		size_t now = k % 2 * n, last = n - now;
-		find_mean_model_and_answer(
+		mean_model_and_corrected_products(
 		    e, p->speed[k], model + now, answer + now);
 		for (size_t i = 0; i < n && k > 0; i++) {
 			double by = answer[now + i] - answer[last + i];
@@ -253,8 +254,8 @@ share_of_straight_draws(const struct posterior *p, const struct psd *feed,
 }
 
 void
-thin_set_straight_share(const struct thin *t, struct posterior *p)
+thin_set_linear_draw_share(const struct thin *t, struct posterior *p)
 {
 	p->straight =
-	    share_of_straight_draws(p, &t->feed, t->sieve, t->n_sieve);
+	    share_of_draws_linear_in_speed(p, &t->feed, t->sieve, t->n_sieve);
 }

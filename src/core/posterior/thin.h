@@ -16,7 +16,7 @@ void thin_free(struct thin *t);
 
 /* Adds the next batch with its answers at sieves of the site and at five speeds
  * across site_default_speed_range. */
-void thin_add_answers_of_batch(struct thin *t, const struct posterior *batch);
+void thin_add_posterior_batch(struct thin *t, const struct posterior *batch);
 
 /* Chooses the draws to keep, half of them from the first half of the batches,
  * and returns their indices in the sequence of all batches.  They have the same
@@ -41,6 +41,6 @@ void thin_choose_draws(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
  * is, a quarter of the draws stay as drawn, because the line may be equally
  * wrong; the band then covers both.  Nothing changes at and beyond the measured
  * speeds, and passings still do not fall with the speed. */
-void thin_set_straight_share(const struct thin *t, struct posterior *p);
+void thin_set_linear_draw_share(const struct thin *t, struct posterior *p);
 
 #endif

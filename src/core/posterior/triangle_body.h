@@ -15,8 +15,8 @@ enum { TAKEN = 8, VECTORS = TAKEN / LANES };
  * row: the first row, with the next n numbers further on; p: the first row's
  * factor, with the next `step` numbers further on. */
 static inline void
-subtract_rows(double *to, const double *row, const double *p, size_t step,
-    size_t n, size_t rows)
+subtract_multiples_of_rows(double *to, const double *row, const double *p,
+    size_t step, size_t n, size_t rows)
 {
 	lanes sum[VECTORS];
 	for (size_t v = 0; v < VECTORS; v++)
@@ -35,7 +35,8 @@ subtract_rows_above(double *U, size_t n, size_t i)
 	double *row = U + i * n;
 	size_t to = n;
 	for (; to > i && to >= TAKEN; to -= TAKEN)
-		subtract_rows(row + to - TAKEN, U + to - TAKEN, U + i, n, n, i);
+		subtract_multiples_of_rows(
+		    row + to - TAKEN, U + to - TAKEN, U + i, n, n, i);
 	for (size_t j = i; j < to; j++)
 		for (size_t k = 0; k < i; k++)
 			row[j] -= U[k * n + i] * U[k * n + j];
@@ -65,7 +66,7 @@ solve_lower(const double *U, size_t n, double *d)
 				d[j] -= row[j] * z;
 		}
 		for (size_t j = to; j < n; j += TAKEN)
-			subtract_rows(
+			subtract_multiples_of_rows(
 			    d + j, U + from * n + j, d + from, 1, n, to - from);
 	}
 }
@@ -96,7 +97,7 @@ fill_covariance_row(const struct cell_columns *c, size_t i,
 }
 
 static void
-covariances_of_pairs(size_t n, const double hyper[static HYPERS],
+covariances_of_size_pairs(size_t n, const double hyper[static HYPERS],
     double *restrict f, double *restrict error)
 {
 	for (size_t i = 0; i < n; i++) {
@@ -109,7 +110,7 @@ covariances_of_pairs(size_t n, const double hyper[static HYPERS],
 /* Most runs have the same sieves, so exponentials are computed for pairs of
  * sizes, not for pairs of cells. */
 static void
-fill_covariance(
+fill_cell_covariance(
     const struct cell_columns *c, const double hyper[static HYPERS], double *U)
 {
 	double *f = c->pair[0], *error = c->pair[1];
@@ -117,7 +118,7 @@ fill_covariance(
 	for (size_t s = 0; s < c->sizes; s++)
 		for (size_t k = 0; k <= s; k++)
 			f[n++] = c->log_size[s] - c->log_size[k];
-	covariances_of_pairs(n, hyper, f, error);
+	covariances_of_size_pairs(n, hyper, f, error);
 	for (size_t s = 0; s < c->sizes; s++) {
 		for (size_t k = 0; k < c->sizes; k++) {
 			size_t pair = discrepancy_index_of_pair(s, k);
@@ -133,7 +134,8 @@ fill_covariance(
 
 /* Sums the same numbers in the same order as rng_normal. */
 static void
-draw_normals(struct rng_key key, uint32_t next, size_t n, double *restrict z)
+compute_random_normals(
+    struct rng_key key, uint32_t next, size_t n, double *restrict z)
 {
 	for (size_t i = 0; i < n; i++)
 		z[i] = 0;
@@ -144,5 +146,5 @@ draw_normals(struct rng_key key, uint32_t next, size_t n, double *restrict z)
 		z[i] -= 6;
 }
 
-const struct triangle TRIANGLE_NAME = {
-    covariances_of_pairs, fill_covariance, cholesky, solve_lower, draw_normals};
+const struct triangle TRIANGLE_NAME = {covariances_of_size_pairs,
+    fill_cell_covariance, cholesky, solve_lower, compute_random_normals};

@@ -89,7 +89,8 @@ blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 }
 
 double
-blend_largest_difference(const struct psd *const *feed, size_t n, double *sieve)
+blend_largest_feed_difference(
+    const struct psd *const *feed, size_t n, double *sieve)
 {
 	struct psd all = blend_list_sieves(feed, n);
 	double most = 0;

@@ -30,7 +30,7 @@ struct psd blend_mean_of_feeds(const struct psd *const *feed, size_t n);
 /* Returns the largest difference in passing, 0..1, between any two of the feeds
  * at a sieve at which both are known, or 0 if there is no such sieve.  Sets
  * *sieve to that sieve, m, or to 0. */
-double blend_largest_difference(
+double blend_largest_feed_difference(
     const struct psd *const *feed, size_t n, double *sieve);
 
 #endif

@@ -268,7 +268,8 @@ psd_deviation_from_chord(const struct psd *psd, size_t i)
 /* Returns the bend of a curve at sieve i of another curve, or NAN if it does
  * not have the same three sieves side by side. */
 static double
-bend_at_same_sieves(const struct psd *curve, const struct psd *of, size_t i)
+curve_bend_at_same_sieves(
+    const struct psd *curve, const struct psd *of, size_t i)
 {
 	for (size_t j = 1; j + 1 < curve->n; j++)
 		if (curve->size[j - 1] == of->size[i - 1] &&
@@ -281,14 +282,15 @@ bend_at_same_sieves(const struct psd *curve, const struct psd *of, size_t i)
 /* Returns the bend of curve c at its sieve i minus the mean bend of the others
  * there. */
 static struct psd_outlier
-deviation_less_mean_of_others(
+curve_bend_minus_mean_of_others(
     const struct psd *const *curve, size_t n, size_t c, size_t i)
 {
 	struct psd_outlier out = {.curve = c, .sieve = i};
 	double sum = 0;
 	for (size_t o = 0; o < n; o++) {
 		double bend =
-		    o == c ? NAN : bend_at_same_sieves(curve[o], curve[c], i);
+		    o == c ? NAN
+			   : curve_bend_at_same_sieves(curve[o], curve[c], i);
 		if (isnan(bend))
 			continue;
 		out.others++;
@@ -308,7 +310,7 @@ psd_find_outlier(const struct psd *const *curve, size_t n)
 	for (size_t c = 0; c < n; c++)
 		for (size_t i = 1; i + 1 < curve[c]->n; i++) {
 			struct psd_outlier o =
-			    deviation_less_mean_of_others(curve, n, c, i);
+			    curve_bend_minus_mean_of_others(curve, n, c, i);
 			double own =
 			    fabs(psd_deviation_from_chord(curve[c], i));
 			double more = fabs(o.off) - fabs(worst.off);

@@ -106,7 +106,7 @@ quantity_read_off_curve(
 /* Returns how much less than `share` passes the size; negative if more does, or
  * NAN if the passing there is not known. */
 static double
-shortfall_at_size(const struct psd *curve, double share, double size)
+passing_shortfall_at_size(const struct psd *curve, double share, double size)
 {
 	bool known = size > 0 && psd_covers_size(curve, size);
 	return known ? share - psd_passing(curve, size) : NAN;
@@ -124,12 +124,12 @@ quantity_excess_as_passing(const struct quantity *q, double limit, double value,
 	case QUANTITY_MODULUS:
 		return (value - limit) / (double)q->modulus->n;
 	case QUANTITY_SIZE:
-		return shortfall_at_size(curve, q->x, limit);
+		return passing_shortfall_at_size(curve, q->x, limit);
 	case QUANTITY_UNIFORMITY:
-		return shortfall_at_size(
+		return passing_shortfall_at_size(
 		    curve, 0.6, limit * psd_size_at_passing(curve, 0.1));
 	case QUANTITY_CURVATURE:
-		return shortfall_at_size(curve, 0.3,
+		return passing_shortfall_at_size(curve, 0.3,
 		    sqrt(limit * psd_size_at_passing(curve, 0.6) *
 			 psd_size_at_passing(curve, 0.1)));
 	}
@@ -137,7 +137,7 @@ quantity_excess_as_passing(const struct quantity *q, double limit, double value,
 }
 
 bool
-quantity_excess_needs_curve(const struct quantity *q)
+quantity_excess_needs_whole_curve(const struct quantity *q)
 {
 	switch (q->kind) {
 	case QUANTITY_PASSING:

@@ -72,7 +72,7 @@ double quantity_excess_as_passing(const struct quantity *q, double limit,
 
 /* True if quantity_excess_as_passing reads the curve; if not, it may be NULL.
  */
-bool quantity_excess_needs_curve(const struct quantity *q);
+bool quantity_excess_needs_whole_curve(const struct quantity *q);
 
 /* Lists in [QUANTITY_POINTS] the sizes, m, at which the curve needs points for
  * the value to be exact; of a step's sieves, only the first STEP_SIEVES.

@@ -70,7 +70,7 @@ partition_oversize_of_classes(const struct partition *p, double opening,
 }
 
 void
-fraction_kept_of_classes(
+fraction_share_of_each_class(
     const struct fraction *fraction, const double *size, size_t n, double *out)
 {
 	FREED double *over = xcalloc_doubles(n);
@@ -89,7 +89,7 @@ fraction_kept_of_classes(
 }
 
 double
-screening_part_of_product(
+screening_compute_kept_part(
     const struct psd *product, const double *kept, struct psd *part)
 {
 	size_t n = product->n;

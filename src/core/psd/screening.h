@@ -43,14 +43,14 @@ void partition_oversize_of_classes(const struct partition *partition,
 
 /* Computes the share of each class that a fraction keeps, for classes as in
  * partition_oversize_of_classes. */
-void fraction_kept_of_classes(
+void fraction_share_of_each_class(
     const struct fraction *fraction, const double *size, size_t n, double *out);
 
 /* Computes the part of a product that has the share `kept` [n] of each class
  * and writes its curve to part, which has the same n.  Returns its share of the
  * product's mass; if that is 0, the curve is 0.  Mass above the coarsest size
  * is kept like the class below it. */
-double screening_part_of_product(
+double screening_compute_kept_part(
     const struct psd *product, const double *kept, struct psd *part);
 
 #endif

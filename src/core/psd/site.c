@@ -54,7 +54,7 @@ notes_free(struct site_note *list, size_t n)
 }
 
 static struct run
-run_copy(const struct run *from)
+copy_run(const struct run *from)
 {
 	struct run to = *from;
 	to.feed = psd_copy(&from->feed);
@@ -68,7 +68,7 @@ run_copy(const struct run *from)
 }
 
 static void
-replace_text(char **text, const char *by)
+replace_string_by_copy(char **text, const char *by)
 {
 	free(*text);
 	*text = xstrdup(by);
@@ -79,7 +79,7 @@ site_copy(const struct site *from)
 {
 	struct site *to = site_new(from->n_run);
 	for (size_t i = 0; i < SITE_TEXTS; i++)
-		replace_text(&to->text[i], from->text[i]);
+		replace_string_by_copy(&to->text[i], from->text[i]);
 	to->top_size = from->top_size;
 	to->rotor = from->rotor;
 	to->run_rotor = from->run_rotor;
@@ -87,7 +87,7 @@ site_copy(const struct site *from)
 	to->digest = from->digest;
 	to->mean_feed = psd_copy(&from->mean_feed);
 	for (size_t r = 0; r < from->n_run; r++)
-		to->run[r] = run_copy(&from->run[r]);
+		to->run[r] = copy_run(&from->run[r]);
 	for (size_t i = 0; i < from->n_note; i++)
 		site_notes_append(&to->note, &to->n_note, from->note[i].key,
 		    from->note[i].value);
@@ -98,7 +98,7 @@ site_copy(const struct site *from)
 }
 
 static void
-run_free_members(struct run *run)
+free_run_members(struct run *run)
 {
 	psd_free(&run->feed);
 	psd_free(&run->product);
@@ -111,7 +111,7 @@ site_free(struct site *site)
 	if (site == NULL)
 		return;
 	for (size_t r = 0; r < site->n_run; r++)
-		run_free_members(&site->run[r]);
+		free_run_members(&site->run[r]);
 	psd_free(&site->mean_feed);
 	notes_free(site->note, site->n_note);
 	notes_free(site->left_out, site->n_left_out);
@@ -176,7 +176,7 @@ site_drop_note(struct site *site, size_t i)
 void
 site_drop_run(struct site *site, size_t r)
 {
-	run_free_members(&site->run[r]);
+	free_run_members(&site->run[r]);
 	size_t after = --site->n_run - r;
 	memmove(&site->run[r], &site->run[r + 1], after * sizeof *site->run);
 }
@@ -193,9 +193,9 @@ provenance_of_site_and_feed(const struct site *site, const char *of)
 	FREED char *site_is = xasprintf("%.*s", (int)n, n > 0 ? own : "");
 	FREED char *feed_is = xasprintf("%.*s", (int)n_of, of);
 	if (n == 0)
-		replace_text(&site_is, "not stated");
+		replace_string_by_copy(&site_is, "not stated");
 	if (n_of == 0)
-		replace_text(&feed_is, "not stated");
+		replace_string_by_copy(&feed_is, "not stated");
 	return worse ? xasprintf("%s (the feed), site: %s%s", feed_is, site_is,
 			   own + n)
 		     : xasprintf("%s, feed: %s%s", site_is, feed_is, own + n);
@@ -208,7 +208,7 @@ site_copy_with_feed(const struct site *site, const struct psd *feed,
 	struct site *to = site_copy(site);
 	free(to->provenance);
 	to->provenance = provenance_of_site_and_feed(site, of);
-	replace_text(&to->feed_from, from);
+	replace_string_by_copy(&to->feed_from, from);
 	to->run = xrealloc(to->run, to->n_run + 1, sizeof *to->run);
 	to->run[to->n_run++] =
 	    (struct run){.speed = SITE_OTHER_FEED, .feed = psd_copy(feed)};
@@ -222,7 +222,7 @@ insert_run_by_speed(struct site *site, struct run run, size_t *from)
 {
 	size_t at = site_run_at_speed(site, run.speed);
 	if (at < site->n_run && site->run[at].product.n == 0) {
-		run_free_members(&site->run[at]);
+		free_run_members(&site->run[at]);
 		site->run[at] = run;
 		return;
 	}
@@ -262,7 +262,7 @@ site_copy_with_cuts(
 	for (size_t r = 0; r < site->n_run; r++)
 		from[r] = r;
 	for (size_t k = 0; k < cuts->n_run; k++) {
-		struct run run = run_copy(&cuts->run[k]);
+		struct run run = copy_run(&cuts->run[k]);
 		set_feed_of_cut(to, &run);
 		insert_run_by_speed(to, run, from);
 	}
@@ -328,11 +328,11 @@ site_feed_of_run(const struct site *site, size_t run)
 }
 
 double
-site_largest_feed_difference(const struct site *site, double *sieve)
+site_largest_difference_of_feeds(const struct site *site, double *sieve)
 {
 	size_t n;
 	FREED const struct psd **feed = list_sampled_feeds(site, &n);
-	return blend_largest_difference(feed, n, sieve);
+	return blend_largest_feed_difference(feed, n, sieve);
 }
 
 double *
@@ -420,7 +420,7 @@ site_run_repeats_speed(const struct site *site, size_t run)
 }
 
 bool
-site_run_is_near_speed(
+site_run_is_among_nearest(
     const struct site *site, size_t run, double speed, size_t most)
 {
 	size_t nearer = 0;
@@ -454,7 +454,7 @@ site_default_speed_range(const struct site *site, double *from, double *to)
 }
 
 char *
-site_provenance_in_words(const char *provenance)
+site_translate_provenance(const char *provenance)
 {
 	static const char SHEET[] = "sheet of ", CUTS[] = ", cuts to ";
 	const char *day = provenance + strlen(SHEET);
@@ -467,7 +467,7 @@ site_provenance_in_words(const char *provenance)
 }
 
 char *
-site_source_clause(const struct site *site, const char *none)
+site_provenance_first_clause(const struct site *site, const char *none)
 {
 	size_t n = strcspn(site->provenance, ";");
 	return n > 0 ? xstrndup(site->provenance, n) : xstrdup(none);
@@ -492,12 +492,13 @@ sources_add(struct sources *all, const char *name, const char *clause)
 void
 sources_add_site(struct sources *all, const char *name, const struct site *site)
 {
-	FREED char *clause = site_source_clause(site, "provenance not stated");
+	FREED char *clause =
+	    site_provenance_first_clause(site, "provenance not stated");
 	sources_add(all, name, clause);
 }
 
 char *
-sources_end(struct sources *all)
+sources_text_and_clear(struct sources *all)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < all->n; i++) {

@@ -125,7 +125,7 @@ const struct psd *site_feed_of_run(const struct site *site, size_t run);
 
 /* Returns the largest difference in passing, 0..1, between two of the site's
  * feeds, or 0 if there is only one feed.  Sets *sieve to where it occurs, m. */
-double site_largest_feed_difference(const struct site *site, double *sieve);
+double site_largest_difference_of_feeds(const struct site *site, double *sieve);
 
 /* Returns the *n sieves of all feeds and products, m, coarsest first, each
  * once.  The caller frees it. */
@@ -166,7 +166,7 @@ bool site_run_repeats_speed(const struct site *site, size_t run);
 
 /* True if the run has a product and its speed is one of the `most` nearest
  * speeds with a product: repeats count as one speed. */
-bool site_run_is_near_speed(
+bool site_run_is_among_nearest(
     const struct site *site, size_t run, double speed, size_t most);
 
 /* The fastest tip speed allowed, m/s: rotors reach half of this, single
@@ -208,11 +208,11 @@ bool site_is_data_made_up(const char *provenance);
 /* Returns a provenance as people are shown it: "sheet of 2026-05-03, cuts to
  * 2026-05-10", which are the program's own words, in the language of texts, any
  * other as it is.  The caller frees it. */
-char *site_provenance_in_words(const char *provenance);
+char *site_translate_provenance(const char *provenance);
 
 /* Returns the first clause of the provenance, or a copy of `none` if the sheet
  * does not state it.  The caller frees it. */
-char *site_source_clause(const struct site *site, const char *none);
+char *site_provenance_first_clause(const struct site *site, const char *none);
 
 /* The sources of the data of several sites, each once: [n] clauses, and the
  * names of the sites that have each of them. */
@@ -229,6 +229,6 @@ void sources_add_site(
 /* Returns the sources, "belt cuts of 3 May (Norrberg), made up (Lane, Hill)";
  * a single one without the names of its sites.  Frees the members.  The caller
  * frees the text. */
-char *sources_end(struct sources *sources);
+char *sources_text_and_clear(struct sources *sources);
 
 #endif

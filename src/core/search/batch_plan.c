@@ -38,7 +38,8 @@ collect_sieve_edges(const struct misfit *m, double *edge)
 }
 
 static void
-plan_integration_classes(struct batch_plan *plan, const double *edge, size_t n)
+fill_plan_integration_classes(
+    struct batch_plan *plan, const double *edge, size_t n)
 {
 	size_t room = 0;
 	for (size_t e = 0; e + 1 < n; e++)
@@ -64,7 +65,7 @@ plan_integration_classes(struct batch_plan *plan, const double *edge, size_t n)
 
 /* Returns dF / d ln x of a feed at ln x = t. */
 static double
-feed_density_at_log_size(const struct psd *feed, double t)
+feed_share_per_log_size(const struct psd *feed, double t)
 {
 	for (size_t i = 0; i + 1 < feed->n; i++) {
 		double upper = el_log(feed->size[i]);
@@ -79,7 +80,7 @@ feed_density_at_log_size(const struct psd *feed, double t)
 /* Returns -ln u of node j, which is proportional to j (1 + j / BEND): nodes lie
  * close near u = 1, where p(u) bends, and further apart below. */
 static double
-depth_of_node(size_t j)
+minus_log_size_ratio_of_node(size_t j)
 {
 	const double BEND = 16, last = KERNEL_NODES - 1;
 	double deepest = -el_log(APPEARANCE_FINEST), at = (double)j;
@@ -87,27 +88,30 @@ depth_of_node(size_t j)
 }
 
 static void
-fill_plan_nodes(struct batch_plan *plan)
+fill_plan_progeny_nodes(struct batch_plan *plan)
 {
 	for (size_t j = 0; j < KERNEL_NODES; j++) {
-		plan->log_u[j] = -depth_of_node(j);
-		plan->u[j] = el_exp(-depth_of_node(j));
-		plan->half_step[j] =
-		    (depth_of_node(j + 1) - depth_of_node(j)) / 2;
+		plan->log_u[j] = -minus_log_size_ratio_of_node(j);
+		plan->u[j] = el_exp(-minus_log_size_ratio_of_node(j));
+		plan->half_step[j] = (minus_log_size_ratio_of_node(j + 1) -
+					 minus_log_size_ratio_of_node(j)) /
+				     2;
 	}
 }
 
 static struct node_interpolation
-node_interpolation_at_depth(double depth)
+interpolation_weights_at_log_ratio(double depth)
 {
 	struct node_interpolation v = {.node = KERNEL_NODES - 2};
-	if (depth > depth_of_node(KERNEL_NODES - 1))
+	if (depth > minus_log_size_ratio_of_node(KERNEL_NODES - 1))
 		return v;
 	v.node = 0;
-	while (v.node < KERNEL_NODES - 2 && depth_of_node(v.node + 1) < depth)
+	while (v.node < KERNEL_NODES - 2 &&
+	       minus_log_size_ratio_of_node(v.node + 1) < depth)
 		v.node++;
-	double step = depth_of_node(v.node + 1) - depth_of_node(v.node);
-	v.coarse = (depth_of_node(v.node + 1) - depth) / step;
+	double step = minus_log_size_ratio_of_node(v.node + 1) -
+		      minus_log_size_ratio_of_node(v.node);
+	v.coarse = (minus_log_size_ratio_of_node(v.node + 1) - depth) / step;
 	v.fine = 1 - v.coarse;
 	v.below_coarse = step * v.coarse * v.coarse / 2;
 	v.below_fine = step * v.coarse - v.below_coarse;
@@ -115,7 +119,7 @@ node_interpolation_at_depth(double depth)
 }
 
 static void
-plan_set_sieve(
+fill_batch_plan_sieve(
     const struct batch_plan *plan, struct plan_sieve *s, double log_s)
 {
 	s->log_size = log_s;
@@ -125,13 +129,13 @@ plan_set_sieve(
 			break;
 		s->n_above = c + 1;
 		s->view[c] =
-		    node_interpolation_at_depth(plan->middle[c] - log_s);
+		    interpolation_weights_at_log_ratio(plan->middle[c] - log_s);
 	}
 }
 
 /* Lists the sieves of all runs together, and each run's passings at them. */
 static void
-plan_targets_of_runs(struct batch_plan *plan, const struct misfit *m)
+fill_plan_sieves_and_targets(struct batch_plan *plan, const struct misfit *m)
 {
 	size_t room = m->n_residual, n = 0, cell = 0;
 	FREED double *sieve = xcalloc_doubles(room);
@@ -141,7 +145,7 @@ plan_targets_of_runs(struct batch_plan *plan, const struct misfit *m)
 	plan->n_sieve = psd_sort_distinct_sizes(sieve, n, 0);
 	plan->sieve = xcalloc(plan->n_sieve, sizeof *plan->sieve);
 	for (size_t s = 0; s < plan->n_sieve; s++)
-		plan_set_sieve(plan, &plan->sieve[s], el_log(sieve[s]));
+		fill_batch_plan_sieve(plan, &plan->sieve[s], el_log(sieve[s]));
 	for (size_t r = 0; r < m->n_run; r++) {
 		const struct misfit_run *from = &m->run[r];
 		struct plan_run *run = &plan->run[r];
@@ -161,21 +165,21 @@ plan_targets_of_runs(struct batch_plan *plan, const struct misfit *m)
 }
 
 static void
-plan_continuous_runs(struct batch_plan *plan, const struct misfit *m)
+fill_batch_plan_for_continuous(struct batch_plan *plan, const struct misfit *m)
 {
 	size_t room = m->n_residual;
 	for (size_t r = 0; r < m->n_run; r++)
 		room += m->run[r].feed.n;
 	plan->one_feed = true;
 	FREED double *edge = xcalloc_doubles(room);
-	plan_integration_classes(plan, edge, collect_sieve_edges(m, edge));
-	fill_plan_nodes(plan);
+	fill_plan_integration_classes(plan, edge, collect_sieve_edges(m, edge));
+	fill_plan_progeny_nodes(plan);
 	for (size_t r = 0; r < m->n_run; r++) {
 		struct plan_run *run = &plan->run[r];
 		run->mass = xcalloc_doubles(plan->n_class);
 		run->whole = xcalloc_doubles(plan->n_class);
 		for (size_t c = 0; c < plan->n_class; c++) {
-			run->mass[c] = feed_density_at_log_size(
+			run->mass[c] = feed_share_per_log_size(
 			    &m->run[r].feed, plan->middle[c]);
 			run->whole[c] =
 			    run->mass[c] * (plan->upper[c] - plan->lower[c]);
@@ -183,14 +187,14 @@ plan_continuous_runs(struct batch_plan *plan, const struct misfit *m)
 					 run->mass[c] == plan->run[0].mass[c];
 		}
 	}
-	plan_targets_of_runs(plan, m);
+	fill_plan_sieves_and_targets(plan, m);
 	plan->scratch = KERNEL_LANES * 2 * plan->n_run *
 			(2 * plan->n_class + 1 + KERNEL_NODES);
 }
 
 static void
-plan_one_run_by_classes(struct plan_run *run, const struct misfit_run *from,
-    enum appearance_form form, size_t first)
+fill_batch_plan_run_for_classes(struct plan_run *run,
+    const struct misfit_run *from, enum appearance_form form, size_t first)
 {
 	const struct psd *feed = &from->feed;
 	size_t n = run->n_size = feed->n;
@@ -209,7 +213,7 @@ plan_one_run_by_classes(struct plan_run *run, const struct misfit_run *from,
 			    appearance_argument(form, x[i], x[j]);
 			if (j >= i)
 				run->view[i * n + j] =
-				    node_interpolation_at_depth(
+				    interpolation_weights_at_log_ratio(
 					el_log(x[i] / x[j]));
 		}
 	}
@@ -232,23 +236,23 @@ plan_one_run_by_classes(struct plan_run *run, const struct misfit_run *from,
 }
 
 static void
-plan_runs_by_classes(struct batch_plan *plan, const struct misfit *m)
+fill_batch_plan_for_classes(struct batch_plan *plan, const struct misfit *m)
 {
 	size_t widest = 0, cell = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
-		plan_one_run_by_classes(
+		fill_batch_plan_run_for_classes(
 		    &plan->run[r], &m->run[r], m->settings.appearance, cell);
 		cell += m->run[r].n;
 		if (plan->run[r].n_size > widest)
 			widest = plan->run[r].n_size;
 	}
-	fill_plan_nodes(plan);
+	fill_plan_progeny_nodes(plan);
 	plan->scratch =
 	    KERNEL_LANES * (3 * widest + 2 * plan->n_run * KERNEL_NODES);
 }
 
 static void
-plan_bins_of_candidates(struct batch_plan *plan, const struct misfit *m)
+fill_plan_break_size_bins(struct batch_plan *plan, const struct misfit *m)
 {
 	double mean = 0, low = 1e3, high = -1e3;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -287,11 +291,11 @@ batch_plan_fill(struct batch_plan *plan, const struct misfit *m)
 	}
 	for (size_t r = 0; r < m->n_run; r++)
 		batch_plan_set_speed(plan, r, m->run[r].speed);
-	plan_bins_of_candidates(plan, m);
+	fill_plan_break_size_bins(plan, m);
 	if (plan->method == METHOD_CLASSES)
-		plan_runs_by_classes(plan, m);
+		fill_batch_plan_for_classes(plan, m);
 	else
-		plan_continuous_runs(plan, m);
+		fill_batch_plan_for_continuous(plan, m);
 }
 
 void

@@ -161,7 +161,7 @@ begin_with_simpler_model(struct calibration *c)
 /* The scale of the gauge is free (D4).  At half the largest scale that its
  * bounds allow, perturbations reach all directions equally. */
 static void
-rescale_gauge_to_mid_bounds(const struct bounds *b, struct params *p)
+rescale_betas_to_mid_bounds(const struct bounds *b, struct params *p)
 {
 	double reach = INFINITY;
 	size_t gauge = breakage_model_of_params(p)->gauge;
@@ -169,7 +169,7 @@ rescale_gauge_to_mid_bounds(const struct bounds *b, struct params *p)
 		reach = fmin(reach, fmin(b->upper[j], -b->lower[j]));
 	if (!(reach > 0))
 		return;
-	params_scale_gauge_to_1(p);
+	params_scale_largest_beta_to_1(p);
 	for (size_t j = 0; j < gauge; j++)
 		p->at[j] *= reach / 2;
 }
@@ -177,9 +177,9 @@ rescale_gauge_to_mid_bounds(const struct bounds *b, struct params *p)
 /* Rescales the gauge so that the bounds cut off as little as possible (D4), and
  * moves all parameters inside the bounds. */
 static void
-scale_gauge_into_bounds(const struct bounds *b, struct params *p)
+scale_betas_into_bounds(const struct bounds *b, struct params *p)
 {
-	rescale_gauge_to_mid_bounds(b, p);
+	rescale_betas_to_mid_bounds(b, p);
 	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++)
 		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
 }
@@ -188,12 +188,13 @@ scale_gauge_into_bounds(const struct bounds *b, struct params *p)
  * once was tried: it took a third less time, but of 32 fits to plants with
  * gamma, one ended at 3.6 times the lowest misfit. */
 static void
-skip_first_phase(struct calibration *c, const struct params *start)
+skip_first_calibration_phase(struct calibration *c, const struct params *start)
 {
-	c->best = breakage_params_in_wider(start, c->options.settings.breakage);
+	c->best =
+	    breakage_params_in_wider_model(start, c->options.settings.breakage);
 	c->nested = false;
 	c->box = c->options.bounds;
-	scale_gauge_into_bounds(&c->box, &c->best);
+	scale_betas_into_bounds(&c->box, &c->best);
 	c->best_misfit = misfit_of_params(c->misfit, &c->best);
 	c->start[c->n_start++] = c->best;
 }
@@ -222,7 +223,7 @@ calibration_new(
 		ga.elite = ga.population / 4;
 	begin_with_simpler_model(c);
 	if (options->start != NULL)
-		skip_first_phase(c, options->start);
+		skip_first_calibration_phase(c, options->start);
 	c->elite = ga.elite;
 	c->ga = ga_new(&ga, c->misfit->of->n, c->box.lower, c->box.upper);
 	for (size_t i = 0; i < BATCH; i++) {
@@ -281,9 +282,9 @@ params_of_genes(
 }
 
 static void
-keep_starts_for_polish(struct calibration *c)
+choose_starts_for_polish(struct calibration *c)
 {
-	const uint32_t *ranking = ga_ranked_candidates(c->ga);
+	const uint32_t *ranking = ga_get_candidate_ranking(c->ga);
 	size_t n = c->options.population;
 	size_t leaders = n < LEADERS ? n : LEADERS;
 	for (size_t i = 0; i < SCOUTS; i++)
@@ -295,7 +296,7 @@ keep_starts_for_polish(struct calibration *c)
 /* Ends the calibration or, after the first phase, continues from its result
  * with all parameters. */
 static void
-end_search_phase(struct calibration *c)
+end_calibration_phase(struct calibration *c)
 {
 	bool used = ga_status(c->ga).generation >= c->options.generations;
 	if (!c->nested || used) {
@@ -319,7 +320,7 @@ end_search_phase(struct calibration *c)
 }
 
 static void
-keep_if_best(struct calibration *c, const struct params *found)
+update_best_params(struct calibration *c, const struct params *found)
 {
 	double misfit = misfit_of_params(c->misfit, found);
 	if (c->best_misfit < misfit)
@@ -336,11 +337,11 @@ end_search_begin_polish(struct calibration *c, enum calibrate_state why)
 {
 	struct params found = best_params_of_search(c);
 	c->stop = why;
-	keep_if_best(c, &found);
+	update_best_params(c, &found);
 	c->start[c->n_start++] = found;
 	c->state = CALIBRATE_POLISHING;
 	if (!c->options.polish)
-		end_search_phase(c);
+		end_calibration_phase(c);
 }
 
 static void
@@ -366,7 +367,7 @@ record_generation(struct calibration *c, const struct ga_status *s)
 }
 
 const struct calibrate_generation *
-calibration_generations(const struct calibration *c, size_t *n)
+calibration_generation_history(const struct calibration *c, size_t *n)
 {
 	*n = c->n_history;
 	return c->history;
@@ -383,20 +384,20 @@ evaluate_generation_part(void *data, size_t part, unsigned thread)
 	if (atomic_load(&c->stopped))
 		return;
 	to = to < c->options.population ? to : c->options.population;
-	kernel_evaluate_part(c->kernel,
-	    ga_next_candidates_part(c->ga, from, to), from, to, thread,
+	kernel_evaluate_candidates(c->kernel,
+	    ga_next_candidates_subset(c->ga, from, to), from, to, thread,
 	    &(struct kernel_out){.misfit = c->told});
 }
 
 static void
-run_generation(struct calibration *c)
+run_search_generation(struct calibration *c)
 {
 	const struct calibrate_options *o = &c->options;
 	size_t parts = (o->population + KERNEL_PART - 1) / KERNEL_PART;
 	pool_run(c->pool, parts, evaluate_generation_part, c);
 	if (atomic_load(&c->stopped))
 		return;
-	ga_take_misfits(c->ga, c->told);
+	ga_set_misfits(c->ga, c->told);
 	struct ga_status s = ga_status(c->ga);
 	record_generation(c, &s);
 	c->evaluations += o->population;
@@ -407,7 +408,7 @@ run_generation(struct calibration *c)
 	}
 	for (size_t i = 0; i < 2 && o->polish; i++)
 		if (s.generation == c->phase_from + SCOUT_GENERATION[i])
-			keep_starts_for_polish(c);
+			choose_starts_for_polish(c);
 	/* Where the misfit is flat, all candidates are alike at once, before
 	 * the search has looked around; so early generations do not count.
 	 * With a perfect fit, both misfits are near 0, and the last term ends
@@ -467,7 +468,7 @@ value_to_fix_parameter_at(const struct calibration *c, size_t j, size_t number)
  * sieve of its feed, or the narrow valleys with little ultra-fines (beta1 just
  * above 0).  Returns false if there are no more. */
 static bool
-perturb_with_one_fixed(
+perturb_params_with_one_fixed(
     const struct calibration *c, size_t number, struct worker *w)
 {
 	size_t j = 0, gauge = c->misfit->of->gauge;
@@ -486,7 +487,7 @@ perturb_with_one_fixed(
 }
 
 static void
-keep_result_if_better(
+update_best_from_result(
     struct calibration *c, const struct worker *w, bool perturbing)
 {
 	double gain = c->best_misfit - w->result.misfit;
@@ -502,7 +503,7 @@ keep_result_if_better(
 		return;
 	c->best_misfit = w->result.misfit;
 	c->best = w->p;
-	rescale_gauge_to_mid_bounds(&c->box, &c->best);
+	rescale_betas_to_mid_bounds(&c->box, &c->best);
 }
 
 /* True if the misfit is more than half that of product = feed.  Noise makes
@@ -534,13 +535,14 @@ polish_one_start(void *data, size_t i, unsigned thread)
 		best.gains = is_misfit_mostly_noise(c) ? GAINS_IN_NOISE : GAINS;
 	w->result.stopped = false;
 	if (w->holds) {
-		w->result =
-		    polish_run(w->polish, &w->first, POLISH_HELD, NULL, &w->p);
+		w->result = polish_minimise_misfit(
+		    w->polish, &w->first, POLISH_HELD, NULL, &w->p);
 		before = w->result.evaluations;
 	}
 	if (!w->result.stopped)
-		w->result = polish_run(w->polish, &c->box, POLISH_MOST,
-		    perturbing || c->converged ? &best : NULL, &w->p);
+		w->result =
+		    polish_minimise_misfit(w->polish, &c->box, POLISH_MOST,
+			perturbing || c->converged ? &best : NULL, &w->p);
 	w->result.evaluations += before;
 	if (w->result.stopped)
 		atomic_store(&c->stopped, true);
@@ -558,8 +560,8 @@ polish_next_batch(struct calibration *c)
 	double before = c->best_misfit;
 	for (size_t i = 0; i < n; i++) {
 		struct worker *w = &c->worker[i];
-		w->holds = perturbing &&
-			   perturb_with_one_fixed(c, c->fruitless + i, w);
+		w->holds = perturbing && perturb_params_with_one_fixed(
+					     c, c->fruitless + i, w);
 		if (!perturbing)
 			w->p = c->start[c->done + i];
 		else if (!w->holds)
@@ -569,12 +571,12 @@ polish_next_batch(struct calibration *c)
 	if (atomic_load(&c->stopped))
 		return;
 	for (size_t i = 0; i < n; i++)
-		keep_result_if_better(c, &c->worker[i], perturbing);
+		update_best_from_result(c, &c->worker[i], perturbing);
 	c->done += n;
 	if (c->best_misfit < before * (1 - 1e-7))
 		c->fruitless = 0;
 	if (c->fruitless >= limit_of_fruitless_perturbations(c))
-		end_search_phase(c);
+		end_calibration_phase(c);
 }
 
 enum calibrate_state
@@ -582,7 +584,7 @@ calibration_step(struct calibration *c)
 {
 	atomic_store(&c->stopped, false);
 	if (c->state == CALIBRATE_SEARCHING)
-		run_generation(c);
+		run_search_generation(c);
 	else if (c->state == CALIBRATE_POLISHING)
 		polish_next_batch(c);
 	return c->state;
@@ -603,9 +605,9 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 	c->stall_from = INFINITY;
 	ga_set_bounds(c->ga, bounds->lower, bounds->upper);
 	for (size_t i = 0; i < c->n_start; i++)
-		scale_gauge_into_bounds(bounds, &c->start[i]);
+		scale_betas_into_bounds(bounds, &c->start[i]);
 	if (isfinite(c->best_misfit)) {
-		scale_gauge_into_bounds(bounds, &c->best);
+		scale_betas_into_bounds(bounds, &c->best);
 		c->converged = false;
 		c->best_misfit = misfit_of_params(c->misfit, &c->best);
 	}
@@ -646,12 +648,12 @@ calibration_status(const struct calibration *c)
 	 * them. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_of_params(c->misfit, &status.params);
-	params_scale_gauge_to_1(&status.params);
+	params_scale_largest_beta_to_1(&status.params);
 	return status;
 }
 
 double
-calibration_sum_of_weights(const struct calibration *c)
+calibration_sum_squared_weights(const struct calibration *c)
 {
 	double sum = 0;
 	for (size_t r = 0; r < c->misfit->n_run; r++)
@@ -692,10 +694,10 @@ calibration_best_fit(struct calibration *c)
 	    .settings = c->options.settings};
 	for (size_t j = 0; j < c->misfit->of->n; j++) {
 		const struct bounds *b = &c->options.bounds;
-		fit.on_bound[j] = sensitivity_is_on_bound(b, &p, j);
+		fit.on_bound[j] = sensitivity_is_param_on_bound(b, &p, j);
 		fit.parameters += b->lower[j] < b->upper[j];
 	}
-	params_scale_gauge_to_1(&p);
+	params_scale_largest_beta_to_1(&p);
 	fit.flat =
 	    sensitivity_flattest_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;

@@ -82,7 +82,7 @@ void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
 
 /* Returns the sum of the squared weights of the passings compared.  A misfit
  * divided by this sum is a mean squared difference. */
-double calibration_sum_of_weights(const struct calibration *c);
+double calibration_sum_squared_weights(const struct calibration *c);
 
 /* Returns the bounds of the search, with the reference energy (D12) set. */
 const struct bounds *calibration_bounds(const struct calibration *c);
@@ -116,19 +116,20 @@ struct calibrate_generation {
 
 /* Returns the *n generations so far.  The array is valid until the next
  * step. */
-const struct calibrate_generation *calibration_generations(
+const struct calibrate_generation *calibration_generation_history(
     const struct calibration *c, size_t *n);
 
 /* The result of a calibration, and how it was obtained. */
 struct fit {
-	struct params params; /* scaled, see params_scale_gauge_to_1 (D4) */
-	double misfit;        /* of model_product on the training runs */
-	double rmse;          /* of passing on the training runs, 0..1 */
-	double feed_misfit;   /* of the null model product = feed */
-	size_t n_residual;    /* passings compared */
-	size_t cells;         /* of these, the passings that crushing can
+	struct params
+	    params;    /* scaled, see params_scale_largest_beta_to_1 (D4) */
+	double misfit; /* of model_compute_product on the training runs */
+	double rmse;   /* of passing on the training runs, 0..1 */
+	double feed_misfit; /* of the null model product = feed */
+	size_t n_residual;  /* passings compared */
+	size_t cells;       /* of these, the passings that crushing can
 			       * change */
-	size_t parameters;    /* number searched, not held fixed */
+	size_t parameters;  /* number searched, not held fixed */
 	bool on_bound[PARAMS_MOST];
 	struct flat_direction flat; /* the least determined combination */
 	enum calibrate_state stop;

@@ -18,7 +18,7 @@ enum { MOST = CALIBRATE_KEPT };
 
 /* Returns the quantile of sorted [n] at a share, 0..1. */
 static double
-sort_and_find_quantile(const double *sorted, size_t n, double share)
+quantile_of_sorted(const double *sorted, size_t n, double share)
 {
 	return sorted[(size_t)(share * (double)(n - 1) + 0.5)];
 }
@@ -48,8 +48,8 @@ evaluate_kept_candidates(const struct misfit *m, enum isa isa,
 		for (size_t i = g->n_kept; i < MOST; i++)
 			theta[j][i] = theta[j][0];
 	}
-	kernel_evaluate_part(kernel, (const double *const *)theta, 0, g->n_kept,
-	    0,
+	kernel_evaluate_candidates(kernel, (const double *const *)theta, 0,
+	    g->n_kept, 0,
 	    &(struct kernel_out){
 		.misfit = misfit, .difference = difference, .stride = MOST});
 	for (size_t j = 0; j < m->of->n; j++)
@@ -58,7 +58,7 @@ evaluate_kept_candidates(const struct misfit *m, enum isa isa,
 }
 
 static void
-find_break_sizes_of_candidates(struct candidates *c,
+compute_break_size_quartiles(struct candidates *c,
     const struct model_settings *settings, const struct calibrate_generation *g,
     double speed)
 {
@@ -70,12 +70,12 @@ find_break_sizes_of_candidates(struct candidates *c,
 	}
 	gsl_sort(size, 1, g->n_kept);
 	for (size_t k = 0; k < 3; k++)
-		c->break_size[k] = sort_and_find_quantile(
-		    size, g->n_kept, 0.25 * (double)(k + 1));
+		c->break_size[k] =
+		    quantile_of_sorted(size, g->n_kept, 0.25 * (double)(k + 1));
 }
 
 struct candidates
-candidates_residual_spread(const struct site *site, const bool *train,
+candidates_compute_residuals(const struct site *site, const bool *train,
     struct model_settings settings, enum isa isa,
     const struct calibrate_generation *g, const struct params *best)
 {
@@ -92,15 +92,15 @@ candidates_residual_spread(const struct site *site, const bool *train,
 		for (size_t i = 0; i < m->run[r].n; i++, k++) {
 			double *d = difference + k * MOST;
 			gsl_sort(d, 1, g->n_kept);
-			c.cell[k] = (struct candidates_cell){
-			    .run = m->run[r].run,
-			    .size = m->run[r].sieve[i],
-			    .p10 = sort_and_find_quantile(d, g->n_kept, 0.1),
-			    .median = sort_and_find_quantile(d, g->n_kept, 0.5),
-			    .p90 = sort_and_find_quantile(d, g->n_kept, 0.9),
-			    .best = of_best[k]};
+			c.cell[k] =
+			    (struct candidates_cell){.run = m->run[r].run,
+				.size = m->run[r].sieve[i],
+				.p10 = quantile_of_sorted(d, g->n_kept, 0.1),
+				.median = quantile_of_sorted(d, g->n_kept, 0.5),
+				.p90 = quantile_of_sorted(d, g->n_kept, 0.9),
+				.best = of_best[k]};
 		}
-	find_break_sizes_of_candidates(&c, &settings, g, m->run[0].speed);
+	compute_break_size_quartiles(&c, &settings, g, m->run[0].speed);
 	misfit_free(m);
 	return c;
 }
@@ -113,7 +113,7 @@ candidates_clear(struct candidates *c)
 }
 
 const struct candidates_cell *
-candidates_worst_cell(const struct candidates *c)
+candidates_largest_residual_cell(const struct candidates *c)
 {
 	const struct candidates_cell *worst = c->cell;
 	for (size_t k = 1; k < c->n; k++)
@@ -123,16 +123,16 @@ candidates_worst_cell(const struct candidates *c)
 }
 
 void
-candidates_middle_range_of_param(
+candidates_p10_p90_of_param(
     const struct calibrate_generation *g, size_t j, double *p10, double *p90)
 {
 	double value[MOST] = {0};
 	for (size_t i = 0; i < g->n_kept; i++) {
 		struct params p = params_of_kept_candidate(g, i);
-		params_scale_gauge_to_1(&p);
+		params_scale_largest_beta_to_1(&p);
 		value[i] = p.at[j];
 	}
 	gsl_sort(value, 1, g->n_kept);
-	*p10 = sort_and_find_quantile(value, g->n_kept, 0.1);
-	*p90 = sort_and_find_quantile(value, g->n_kept, 0.9);
+	*p10 = quantile_of_sorted(value, g->n_kept, 0.1);
+	*p90 = quantile_of_sorted(value, g->n_kept, 0.9);
 }

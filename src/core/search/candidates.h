@@ -28,20 +28,20 @@ struct candidates {
  * candidates that a generation kept.  settings, train [n_run]: those of the
  * search.  best is evaluated with the accurate product, the others with the
  * search's scheme.  The caller frees the result with candidates_clear. */
-struct candidates candidates_residual_spread(const struct site *site,
+struct candidates candidates_compute_residuals(const struct site *site,
     const bool *train, struct model_settings settings, enum isa isa,
     const struct calibrate_generation *generation, const struct params *best);
 void candidates_clear(struct candidates *c);
 
 /* Returns the cell with the largest absolute median residual; there must be at
  * least one cell. */
-const struct candidates_cell *candidates_worst_cell(const struct candidates *c);
+const struct candidates_cell *candidates_largest_residual_cell(
+    const struct candidates *c);
 
 /* Computes the range of a parameter over the middle 80 % of the candidates, as
  * reported: a parameter in the gauge is divided by the candidate's largest
  * (D4). */
-void candidates_middle_range_of_param(
-    const struct calibrate_generation *generation, size_t j, double *p10,
-    double *p90);
+void candidates_p10_p90_of_param(const struct calibrate_generation *generation,
+    size_t j, double *p10, double *p90);
 
 #endif

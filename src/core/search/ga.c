@@ -88,7 +88,7 @@ sample_first_generation(struct ga *ga)
  * least of k uniform numbers is 1 - (1 - u)^(1/k).  Tabulates it for at least
  * as many values of u as there are candidates. */
 static void
-plan_tournaments(struct ga *ga)
+tabulate_tournament_winners(struct ga *ga)
 {
 	size_t n = ga->options.population;
 	double over = 1 / (double)ga->options.tournament;
@@ -139,7 +139,7 @@ ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
 	ga->rank = xcalloc(n, sizeof *ga->rank);
 	ga->spare = xcalloc(n, sizeof *ga->spare);
 	ga->key = xcalloc(n, sizeof *ga->key);
-	plan_tournaments(ga);
+	tabulate_tournament_winners(ga);
 	ga->status.best = INFINITY;
 	ga->status.median = ga->status.worst = INFINITY;
 	sample_first_generation(ga);
@@ -277,7 +277,7 @@ prepare_breeding(struct ga *ga)
 }
 
 const double *const *
-ga_next_candidates_part(const struct ga *ga, size_t from, size_t to)
+ga_next_candidates_subset(const struct ga *ga, size_t from, size_t to)
 {
 	const double *const *asked = (const double *const *)ga->breed.asked;
 	if (ga->ready)
@@ -295,13 +295,13 @@ const double *const *
 ga_next_candidates(struct ga *ga)
 {
 	const double *const *asked =
-	    ga_next_candidates_part(ga, 0, ga->options.population);
+	    ga_next_candidates_subset(ga, 0, ga->options.population);
 	ga->ready = true;
 	return asked;
 }
 
 void
-ga_take_misfits(struct ga *ga, const double *misfit)
+ga_set_misfits(struct ga *ga, const double *misfit)
 {
 	double **swap = ga->breed.told;
 	ga->breed.told = ga->breed.asked;
@@ -343,7 +343,7 @@ ga_best_genes(const struct ga *ga)
 }
 
 const uint32_t *
-ga_ranked_candidates(const struct ga *ga)
+ga_get_candidate_ranking(const struct ga *ga)
 {
 	return ga->rank;
 }

@@ -43,28 +43,28 @@ void ga_free(struct ga *ga);
 
 /* Returns this generation's candidates: one array [population] per gene,
  * aligned to 64 bytes and readable up to the next multiple of 64.  Valid until
- * ga_take_misfits. */
+ * ga_set_misfits. */
 const double *const *ga_next_candidates(struct ga *ga);
 
 /* As ga_next_candidates, but makes only the candidates from..to-1, for threads
  * that each evaluate a part.  from: a multiple of GA_PART; to: at most the
  * population. */
 enum { GA_PART = 8 };
-const double *const *ga_next_candidates_part(
+const double *const *ga_next_candidates_subset(
     const struct ga *ga, size_t from, size_t to);
 
 /* Takes the misfits of this generation's candidates, all of which must have
  * been asked for: lower is better, INFINITY for a candidate without a
  * misfit. */
-void ga_take_misfits(struct ga *ga, const double *misfit);
+void ga_set_misfits(struct ga *ga, const double *misfit);
 
 /* Changes the box from the next generation on.  Candidates outside are moved to
  * its limits.  If the best candidate so far lies outside, it is moved too, and
- * its misfit is INFINITY until the next ga_take_misfits.  Redrawing half of the
+ * its misfit is INFINITY until the next ga_set_misfits.  Redrawing half of the
  * candidates after the box had grown was tried, but none came near the best. */
 void ga_set_bounds(struct ga *ga, const double *lower, const double *upper);
 
-/* The state after the last ga_take_misfits.  worst and median include infinite
+/* The state after the last ga_set_misfits.  worst and median include infinite
  * misfits. */
 struct ga_status {
 	size_t generation;    /* generations completed */
@@ -80,7 +80,7 @@ const double *ga_best_genes(const struct ga *ga);
 /* Return the indices of the last completed generation's candidates by
  * increasing misfit (only the better half is sorted exactly), and their
  * genes. */
-const uint32_t *ga_ranked_candidates(const struct ga *ga);
+const uint32_t *ga_get_candidate_ranking(const struct ga *ga);
 const double *const *ga_genes_of_last_generation(const struct ga *ga);
 
 /* Computes the 10 % and 90 % quantiles of a gene over at most 256 candidates of

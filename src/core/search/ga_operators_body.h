@@ -77,7 +77,7 @@ move_into_bounds(
 }
 
 static inline void
-breed_lanes(const struct breed *b, size_t first)
+breed_candidate_lanes(const struct breed *b, size_t first)
 {
 	uint32_t mother[LANES], father[LANES];
 	choose_parents(b, b->keys.parent[0], first, mother);
@@ -108,5 +108,5 @@ void
 BREED_NAME(const struct breed *b, size_t first)
 {
 	for (size_t i = 0; i < BREED_BLOCK; i += LANES)
-		breed_lanes(b, first + i);
+		breed_candidate_lanes(b, first + i);
 }

@@ -51,7 +51,7 @@ struct queue {
 
 /* Fills the rest of the last block with its last candidate. */
 static void
-pad_last_block(struct queue *q)
+pad_last_candidate_block(struct queue *q)
 {
 	for (; q->n % KERNEL_LANES != 0; q->n++)
 		q->index[q->n] = q->index[q->n - 1];
@@ -61,7 +61,7 @@ pad_last_block(struct queue *q)
  * lanes break the same sizes skips the other sizes at once.  The order does not
  * change any bit of a misfit. */
 static void
-fill_queue_by_break_size(const struct kernel *kernel,
+sort_candidates_by_break_size(const struct kernel *kernel,
     const double *const *theta, size_t from, size_t to, struct queue *q)
 {
 	uint16_t bin[KERNEL_PART];
@@ -79,20 +79,21 @@ fill_queue_by_break_size(const struct kernel *kernel,
 		order[place[bin[i]]++] = (uint32_t)(from + i);
 	memcpy(q->index, order, stiff * sizeof *order);
 	q->n = stiff;
-	pad_last_block(q);
+	pad_last_candidate_block(q);
 	memcpy(q->index + q->n, order + stiff, (n - stiff) * sizeof *order);
 	q->n_stiff = q->n;
 	q->n += n - stiff;
-	pad_last_block(q);
+	pad_last_candidate_block(q);
 }
 
 void
-kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
-    size_t from, size_t to, unsigned thread, const struct kernel_out *out)
+kernel_evaluate_candidates(const struct kernel *kernel,
+    const double *const *theta, size_t from, size_t to, unsigned thread,
+    const struct kernel_out *out)
 {
 	struct queue q;
 	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
-	fill_queue_by_break_size(kernel, theta, from, to, &q);
+	sort_candidates_by_break_size(kernel, theta, from, to, &q);
 	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
 		kernel->of->evaluate(&kernel->plan, theta, q.index + i,
 		    i >= q.n_stiff, kernel->scratch[thread], out);

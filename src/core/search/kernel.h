@@ -17,10 +17,10 @@
  * 1 throughout, both are known in advance; - p = dB / d ln u and B are
  * tabulated at fixed nodes of u, once or for each speed, depending on the
  * model, and interpolated for each class's middle and each sieve; a class adds
- * mass times B, minus moment times p.
- * For Table 3 the passings are within 0.05 points (tested) of model_product,
- * the accurate product with which results are polished and reported.  `classes`
- * is exact if the model has a density.
+ * mass times B, minus moment times p. For Table 3 the passings are within 0.05
+ * points (tested) of model_compute_product, the accurate product with which
+ * results are polished and reported.  `classes` is exact if the model has a
+ * density.
  *
  * An evaluation allocates nothing.  A candidate's misfit depends, bit for bit,
  * on that candidate alone: not on its neighbours, the number of threads or the
@@ -39,7 +39,7 @@ void kernel_free(struct kernel *kernel);
  * misfit that is NaN becomes INFINITY.  thread: less than kernel_new's threads,
  * and unique among concurrent calls. */
 enum { KERNEL_PART = 63 * KERNEL_LANES };
-void kernel_evaluate_part(const struct kernel *kernel,
+void kernel_evaluate_candidates(const struct kernel *kernel,
     const double *const *theta, size_t from, size_t to, unsigned thread,
     const struct kernel_out *out);
 

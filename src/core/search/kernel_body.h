@@ -74,7 +74,7 @@ static const struct gauss GAUSS_3 = {3,
 /* S is 0 below the size of log_e0 and 1 above that of log_full, where the
  * exponent reaches FULL. */
 static inline void
-set_selection_threshold(struct block *b, lanes e0)
+set_breakage_threshold(struct block *b, lanes e0)
 {
 	double full = FULL;
 	if (b->impacts != NULL && b->impacts->number < 1)
@@ -86,7 +86,7 @@ set_selection_threshold(struct block *b, lanes e0)
 }
 
 INLINE void
-load_candidates(const struct lane_model *m, struct block *b,
+gather_params_to_lanes(const struct lane_model *m, struct block *b,
     const struct batch_plan *plan, const double *const *theta,
     const uint32_t *index)
 {
@@ -95,7 +95,7 @@ load_candidates(const struct lane_model *m, struct block *b,
 	b->alpha = lanes_gather(theta[m->strength + 2], index);
 	b->over_alpha = 1 / lanes_max(b->alpha, lanes_broadcast(1e-9));
 	b->impacts = plan->impacts.n > 0 ? &plan->impacts : NULL;
-	set_selection_threshold(b, lanes_gather(theta[m->strength + 1], index));
+	set_breakage_threshold(b, lanes_gather(theta[m->strength + 1], index));
 	b->two = false;
 	if (b->out->softer != NULL) {
 		b->softer = lanes_gather(b->out->softer, index);
@@ -130,7 +130,7 @@ struct kernel_workspace {
 
 /* Fills the nodes of every run, or one table for all runs. */
 INLINE void
-tabulate_nodes_of_runs(const struct lane_model *m, struct block *b,
+tabulate_progeny_of_runs(const struct lane_model *m, struct block *b,
     const struct batch_plan *plan, const struct kernel_workspace *room)
 {
 	lanes sum = m->nodes(b, plan, room->node);
@@ -142,15 +142,15 @@ tabulate_nodes_of_runs(const struct lane_model *m, struct block *b,
 
 /* Returns x^alpha at ln x = t. */
 static inline lanes
-lanes_size_pow_alpha(const struct block *b, lanes t)
+lanes_pow_alpha_at_log(const struct block *b, lanes t)
 {
 	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_broadcast(708)));
 }
 
 /* Returns S with a spectrum of impacts (D15), at = f E x^alpha; see
- * selection_by_impacts. */
+ * selection_share_by_impacts. */
 static inline lanes
-selection_with_spectrum(const struct block *b, lanes at)
+broken_share_with_spectrum(const struct block *b, lanes at)
 {
 	const struct impacts *of = b->impacts;
 	lanes kept = lanes_broadcast(0);
@@ -165,12 +165,12 @@ selection_with_spectrum(const struct block *b, lanes at)
 /* Returns S of Eq 3, from power = x^alpha.  selection.h has the version for one
  * candidate. */
 static inline lanes
-lanes_selection(
+lanes_broken_share(
     const struct block *b, double E, lanes power, lanes exp_of(lanes x))
 {
 	lanes y = b->f * E * power - b->f_e0;
 	if (b->impacts != NULL)
-		return selection_with_spectrum(b, b->f * E * power);
+		return broken_share_with_spectrum(b, b->f * E * power);
 	return 1 - exp_of(lanes_min(-y, lanes_broadcast(0)));
 }
 
@@ -179,7 +179,7 @@ static inline void
 add_gauss_point(struct broken_share *sum, const struct block *b, double E,
     lanes power, lanes weight, lanes distance)
 {
-	lanes S = lanes_selection(b, E, power, lanes_exp_quick);
+	lanes S = lanes_broken_share(b, E, power, lanes_exp_quick);
 	sum->mass += weight * S;
 	sum->moment += weight * distance * S;
 }
@@ -219,7 +219,7 @@ broken_share_of_split_class(const struct block *b,
 	struct broken_share sum = {lanes_broadcast(0), lanes_broadcast(0)};
 	for (size_t q = 0; q < g->n; q++) {
 		lanes t = upper - width * g->from_top[q];
-		add_gauss_point(&sum, b, run->E, lanes_size_pow_alpha(b, t),
+		add_gauss_point(&sum, b, run->E, lanes_pow_alpha_at_log(b, t),
 		    lanes_broadcast(g->weight[q]), t - plan->middle[c]);
 	}
 	lanes scale = run->mass[c] * width;
@@ -259,7 +259,7 @@ compute_broken_shares_of_class(const struct block *b,
 		bool whole = lanes_all(from <= lower);
 		double width = upper - lower;
 		for (size_t q = 0; whole && !have_power && q < g->n; q++)
-			power[q] = lanes_size_pow_alpha(
+			power[q] = lanes_pow_alpha_at_log(
 			    b, lanes_broadcast(upper - width * g->from_top[q]));
 		have_power = have_power || whole;
 		struct broken_share part =
@@ -298,14 +298,14 @@ compute_broken_shares(const struct block *b, const struct batch_plan *plan,
 /* Mixes the shares of the softer rock into those of the harder.  The two parts
  * of a rock break independently. */
 static inline void
-mix_softer_rock(const struct block *b, const struct batch_plan *plan,
+mix_softer_rock_shares(const struct block *b, const struct batch_plan *plan,
     const struct gauss *g, struct kernel_workspace *room)
 {
 	struct block soft = *b;
 	struct kernel_workspace other = *room;
 	size_t n = plan->n_class;
 	other.share += plan->n_run * n;
-	set_selection_threshold(&soft, b->softer);
+	set_breakage_threshold(&soft, b->softer);
 	compute_broken_shares(&soft, plan, g, &other);
 	for (size_t r = 0; r < plan->n_run; r++)
 		for (size_t c = room->n_full; c < other.n_active; c++) {
@@ -321,7 +321,7 @@ mix_softer_rock(const struct block *b, const struct batch_plan *plan,
 
 /* Returns B times the total. */
 static inline lanes
-interpolate_share_finer(
+interpolate_progeny_share(
     const struct node_interpolation *v, const struct node *node)
 {
 	const struct node *at = node + v->node;
@@ -346,7 +346,7 @@ mass_below_from_whole_classes(const struct plan_run *run,
 	lanes sum = lanes_broadcast(0);
 	for (size_t c = 0; c < n; c++)
 		sum += run->whole[c] *
-		       interpolate_share_finer(&sieve->view[c], node);
+		       interpolate_progeny_share(&sieve->view[c], node);
 	return sum;
 }
 
@@ -360,13 +360,13 @@ add_mass_from_split_classes(const struct lane_model *m,
 {
 	lanes first = below[0], second = below[1];
 	for (size_t c = from; c < n; c++) {
-		lanes B = interpolate_share_finer(&sieve->view[c], node[0]);
+		lanes B = interpolate_progeny_share(&sieve->view[c], node[0]);
 		lanes p = interpolate_progeny_density(&sieve->view[c], node[0]);
 		first += share[0][c].mass * B - share[0][c].moment * p;
 		if (!pair)
 			continue;
 		if (m->per_run) {
-			B = interpolate_share_finer(&sieve->view[c], node[1]);
+			B = interpolate_progeny_share(&sieve->view[c], node[1]);
 			p = interpolate_progeny_density(
 			    &sieve->view[c], node[1]);
 		}
@@ -379,7 +379,8 @@ add_mass_from_split_classes(const struct lane_model *m,
 /* Returns the square of a weighted difference and stores the difference on
  * request. */
 static inline lanes
-square_difference(const struct plan_target *t, const struct block *b, lanes d)
+square_and_store_difference(
+    const struct plan_target *t, const struct block *b, lanes d)
 {
 	d *= t->weight;
 	if (b->out->difference != NULL && t->weight > 0)
@@ -433,7 +434,7 @@ sum_squares_at_sieve(const struct lane_model *m, const struct batch_plan *plan,
 		}
 		for (size_t i = 0; i < 1 + (size_t)pair; i++) {
 			const struct plan_target *t = &run[i]->target[s];
-			squares += square_difference(
+			squares += square_and_store_difference(
 			    t, b, t->difference + below[i] * b->over_total);
 		}
 	}
@@ -441,7 +442,7 @@ sum_squares_at_sieve(const struct lane_model *m, const struct batch_plan *plan,
 }
 
 INLINE lanes
-evaluate_continuous_block(const struct lane_model *m,
+misfits_by_continuous_model(const struct lane_model *m,
     const struct batch_plan *plan, struct block *b, bool smooth,
     double *scratch)
 {
@@ -450,13 +451,14 @@ evaluate_continuous_block(const struct lane_model *m,
 	struct kernel_workspace room = {.from = at, .full = at + n_run};
 	room.share = (void *)(at + 2 * n_run);
 	room.node = (void *)(room.share + 2 * n_run * plan->n_class);
-	tabulate_nodes_of_runs(m, b, plan, &room);
+	tabulate_progeny_of_runs(m, b, plan, &room);
 	if (smooth)
 		compute_broken_shares(b, plan, &GAUSS_2, &room);
 	else
 		compute_broken_shares(b, plan, &GAUSS_3, &room);
 	if (b->two)
-		mix_softer_rock(b, plan, smooth ? &GAUSS_2 : &GAUSS_3, &room);
+		mix_softer_rock_shares(
+		    b, plan, smooth ? &GAUSS_2 : &GAUSS_3, &room);
 	for (size_t s = 0; s < plan->n_sieve; s++)
 		sum += sum_squares_at_sieve(m, plan, b, s, &room);
 	return sum;
@@ -464,24 +466,24 @@ evaluate_continuous_block(const struct lane_model *m,
 
 /* Computes the selection for each class of a run, method `classes`. */
 static inline void
-compute_class_selection(
+compute_class_break_shares(
     const struct block *b, const struct plan_run *run, lanes *S)
 {
 	for (size_t i = 0; i < run->n_size; i++) {
 		lanes w = lanes_exp(b->alpha * run->log_size[i]);
-		S[i] = lanes_selection(b, run->E, w, lanes_exp);
+		S[i] = lanes_broken_share(b, run->E, w, lanes_exp);
 		if (!b->two)
 			continue;
 		struct block soft = *b;
 		soft.f_e0 = b->f * b->softer;
-		lanes softer = lanes_selection(&soft, run->E, w, lanes_exp);
+		lanes softer = lanes_broken_share(&soft, run->E, w, lanes_exp);
 		S[i] += b->share * (softer - S[i]);
 	}
 }
 
 /* Breaks parent class i into the product q. */
 INLINE void
-break_class(const struct lane_model *m, const struct block *b,
+break_size_class(const struct lane_model *m, const struct block *b,
     const struct plan_run *run, const struct node *node, size_t i, lanes S,
     lanes *p, lanes *q)
 {
@@ -505,7 +507,7 @@ break_class(const struct lane_model *m, const struct block *b,
 }
 
 INLINE lanes
-evaluate_run_by_classes(const struct lane_model *m,
+evaluate_run_by_size_classes(const struct lane_model *m,
     const struct batch_plan *plan, const struct block *b,
     const struct plan_run *run, const struct node *node, double *scratch)
 {
@@ -514,9 +516,9 @@ evaluate_run_by_classes(const struct lane_model *m,
 	lanes sum = lanes_broadcast(0);
 	for (size_t i = 0; i < n; i++)
 		q[i] = lanes_broadcast(0);
-	compute_class_selection(b, run, S);
+	compute_class_break_shares(b, run, S);
 	for (size_t i = 0; i < n; i++)
-		break_class(m, b, run, node, i, S[i], p, q);
+		break_size_class(m, b, run, node, i, S[i], p, q);
 	for (size_t j = n - 1; j-- > 0;)
 		q[j] += q[j + 1];
 	for (size_t s = 0; s < run->n_target; s++) {
@@ -525,13 +527,13 @@ evaluate_run_by_classes(const struct lane_model *m,
 		lanes P = fine + t->share * (coarse - fine);
 		if (plan->bypass > 0)
 			P = t->feed + b->kept * (P - t->feed);
-		sum += square_difference(t, b, P - t->measured);
+		sum += square_and_store_difference(t, b, P - t->measured);
 	}
 	return sum;
 }
 
 INLINE lanes
-evaluate_classes_block(const struct lane_model *m,
+evaluate_block_by_size_classes(const struct lane_model *m,
     const struct batch_plan *plan, const struct block *b, double *scratch)
 {
 	struct node *node = (void *)scratch;
@@ -540,41 +542,45 @@ evaluate_classes_block(const struct lane_model *m,
 		m->nodes(b, plan, node);
 	for (size_t r = 0; r < plan->n_run; r++) {
 		size_t table = m->per_run ? r * KERNEL_NODES : 0;
-		sum += evaluate_run_by_classes(m, plan, b, &plan->run[r],
+		sum += evaluate_run_by_size_classes(m, plan, b, &plan->run[r],
 		    node + table, (void *)(node + plan->n_run * KERNEL_NODES));
 	}
 	return sum;
 }
 
 INLINE void
-evaluate_block(const struct lane_model *m, const struct batch_plan *plan,
-    const double *const *theta, const uint32_t *index, bool smooth,
-    double *scratch, const struct kernel_out *out)
+evaluate_candidate_block(const struct lane_model *m,
+    const struct batch_plan *plan, const double *const *theta,
+    const uint32_t *index, bool smooth, double *scratch,
+    const struct kernel_out *out)
 {
 	struct block b;
 	b.index = index;
 	b.out = out;
-	load_candidates(m, &b, plan, theta, index);
+	gather_params_to_lanes(m, &b, plan, theta, index);
 	lanes sum =
 	    plan->method == METHOD_CLASSES
-		? evaluate_classes_block(m, plan, &b, scratch)
-		: evaluate_continuous_block(m, plan, &b, smooth, scratch);
+		? evaluate_block_by_size_classes(m, plan, &b, scratch)
+		: misfits_by_continuous_model(m, plan, &b, smooth, scratch);
 	for (size_t l = 0; l < LANES; l++)
 		out->misfit[index[l]] = sum[l] <= 1e300 ? sum[l] : HUGE_VAL;
 }
 
 INLINE void
-evaluate_all(const struct lane_model *m, const struct batch_plan *plan,
-    const double *const *theta, const uint32_t *index, bool smooth,
-    double *scratch, const struct kernel_out *out)
+evaluate_candidate_lanes(const struct lane_model *m,
+    const struct batch_plan *plan, const double *const *theta,
+    const uint32_t *index, bool smooth, double *scratch,
+    const struct kernel_out *out)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES)
-		evaluate_block(m, plan, theta, index + i, smooth, scratch, out);
+		evaluate_candidate_block(
+		    m, plan, theta, index + i, smooth, scratch, out);
 }
 
 static inline void
-bin_by_break_size(const struct lane_model *m, const struct batch_plan *plan,
-    const double *const *theta, size_t first, uint16_t *bin)
+bin_candidates_by_break_size(const struct lane_model *m,
+    const struct batch_plan *plan, const double *const *theta, size_t first,
+    uint16_t *bin)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES) {
 		const double *const *eq3 = theta + m->strength;
@@ -603,13 +609,14 @@ bin_by_break_size(const struct lane_model *m, const struct batch_plan *plan,
 	    const double *const *theta, const uint32_t *index, bool smooth,    \
 	    double *scratch, const struct kernel_out *out)                     \
 	{                                                                      \
-		evaluate_all(                                                  \
+		evaluate_candidate_lanes(                                      \
 		    &model##_lanes, plan, theta, index, smooth, scratch, out); \
 	}                                                                      \
 	static void model##_sort(const struct batch_plan *plan,                \
 	    const double *const *theta, size_t first, uint16_t *bin)           \
 	{                                                                      \
-		bin_by_break_size(&model##_lanes, plan, theta, first, bin);    \
+		bin_candidates_by_break_size(                                  \
+		    &model##_lanes, plan, theta, first, bin);                  \
 	}                                                                      \
 	extern const struct model_kernel KERNEL_NAME(model, ISA);              \
 	const struct model_kernel KERNEL_NAME(model, ISA) = {                  \

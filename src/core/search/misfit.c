@@ -19,7 +19,7 @@ misfit_count_covered_sieves(const struct run *run)
 }
 
 size_t
-misfit_count_idle_sieves(const struct run *run, double top)
+misfit_count_uninformative_sieves(const struct run *run, double top)
 {
 	size_t idle = 0, covered = misfit_count_covered_sieves(run);
 	while (idle + 1 < covered && run->product.size[idle] > top)
@@ -51,7 +51,7 @@ static void
 misfit_fill_run(struct misfit_run *to, const struct run *run, double top,
     double run_weight, bool by_sd)
 {
-	size_t idle = misfit_count_idle_sieves(run, top);
+	size_t idle = misfit_count_uninformative_sieves(run, top);
 	by_sd = by_sd && run->product_sd != NULL;
 	to->speed = run->speed;
 	to->feed = run->feed;
@@ -97,7 +97,7 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 }
 
 void
-misfit_thin_sieves(struct misfit *m, size_t most)
+misfit_limit_sieves_per_run(struct misfit *m, size_t most)
 {
 	m->n_residual = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -157,13 +157,13 @@ misfit_should_stop(const struct misfit *m)
 /* Computes d [run's n], the differences of run r, weighted or not.  Returns the
  * sum of their squares. */
 static double
-differences_of_run(struct misfit *m, size_t r, const struct params *p,
+residuals_of_run(struct misfit *m, size_t r, const struct params *p,
     bool weighted, double *d)
 {
 	const struct misfit_run *run = &m->run[r];
 	double sum = 0;
-	model_use_params(m->model[r], p);
-	model_product(m->model[r], run->speed, m->passing);
+	model_set_params(m->model[r], p);
+	model_compute_product(m->model[r], run->speed, m->passing);
 	for (size_t i = 0; i < run->n; i++) {
 		d[i] = m->passing[i] - run->measured[i];
 		d[i] *= weighted ? run->weight[i] : 1;
@@ -183,7 +183,7 @@ misfit_weighted_differences(struct misfit *m, const struct params *p, double *d)
 {
 	double sum = 0;
 	for (size_t r = 0, at = 0; r < m->n_run; at += m->run[r++].n)
-		sum += differences_of_run(
+		sum += residuals_of_run(
 		    m, r, p, true, d != NULL ? d + at : m->passing);
 	return isfinite(sum) ? sum : INFINITY;
 }
@@ -193,7 +193,7 @@ misfit_rmse(struct misfit *m, const struct params *p)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += differences_of_run(m, r, p, false, m->passing);
+		sum += residuals_of_run(m, r, p, false, m->passing);
 	return sqrt(sum / (double)(m->n_residual > 0 ? m->n_residual : 1));
 }
 
@@ -204,7 +204,7 @@ misfit_jacobian(struct misfit *m, const struct params *p, double *r, double *J)
 	size_t n = m->of->n;
 	for (size_t k = 0; k < m->n_run; k++) {
 		const struct misfit_run *run = &m->run[k];
-		model_use_params(m->model[k], p);
+		model_set_params(m->model[k], p);
 		model_jacobian(
 		    m->model[k], run->speed, m->passing, m->d_passing);
 		for (size_t i = 0; i < run->n; i++) {

@@ -50,7 +50,7 @@ void misfit_free(struct misfit *m);
 
 /* Keeps at most `most` sieves of each run, evenly spread and including the
  * coarsest and the finest; most >= 2. */
-void misfit_thin_sieves(struct misfit *m, size_t most);
+void misfit_limit_sieves_per_run(struct misfit *m, size_t most);
 
 /* Returns the number of passings, of the n_residual, that crushing can change.
  * If all of the feed passes a sieve, so does all of the product, for any
@@ -86,7 +86,7 @@ size_t misfit_count_covered_sieves(const struct run *run);
 /* Returns how many of these are coarser than `top`, the
  * site_finest_sieve_all_pass: idle sieves, which tell nothing.  At least one
  * is left. */
-size_t misfit_count_idle_sieves(const struct run *run, double top);
+size_t misfit_count_uninformative_sieves(const struct run *run, double top);
 
 /* Marks the default training set: all repeats at the slowest and the fastest
  * speed with a product.  Returns the number of runs marked. */

@@ -24,7 +24,7 @@ struct polish {
 	struct misfit *misfit;
 	size_t n, width; /* differences, parameters */
 	double *r, *J, *r_try, *J_try;
-	/* See build_damped_triangle. */
+	/* See triangularise_damped_jacobian. */
 	double (*A)[PARAMS_MOST + 1], top[PARAMS_MOST];
 	double scale[PARAMS_MOST]; /* largest column norms seen (More) */
 };
@@ -62,7 +62,7 @@ polish_free(struct polish *s)
  * if let_go is true, those on a bound whose gradient leads away from it.
  * Returns their number. */
 static size_t
-list_movable_columns(const struct polish *s, const struct bounds *bounds,
+list_movable_params(const struct polish *s, const struct bounds *bounds,
     const struct params *p, bool let_go, size_t column[PARAMS_MOST])
 {
 	size_t n_free = 0;
@@ -85,7 +85,7 @@ list_movable_columns(const struct polish *s, const struct bounds *bounds,
 }
 
 static void
-update_column_scale(struct polish *s)
+update_jacobian_column_scale(struct polish *s)
 {
 	for (size_t j = 0; j < s->width; j++) {
 		double norm = 0;
@@ -139,7 +139,7 @@ householder_triangle(
  * triangular matrix as above; -r, with zeros stacked below, is reflected
  * too. */
 static void
-build_damped_triangle(
+triangularise_damped_jacobian(
     struct polish *s, const size_t *column, size_t n_free, double damping)
 {
 	memset(s->A, 0, (s->n + n_free) * sizeof *s->A);
@@ -176,7 +176,7 @@ solve_damped_step(struct polish *s, const size_t *column, size_t n_free,
     double damping, double step[PARAMS_MOST])
 {
 	double z[PARAMS_MOST];
-	build_damped_triangle(s, column, n_free, damping);
+	triangularise_damped_jacobian(s, column, n_free, damping);
 	for (size_t c = 0; c < n_free; c++)
 		z[c] = s->A[c][n_free];
 	solve_step_from_triangle(s, column, n_free, z, step);
@@ -215,7 +215,8 @@ struct descent {
  * last one, over PATIENCE evaluations, would not reach it, or if it is at the
  * rival's. */
 static bool
-cannot_reach_rival(double before, double now, const struct polish_rival *rival)
+is_rival_out_of_reach(
+    double before, double now, const struct polish_rival *rival)
 {
 	if (rival == NULL)
 		return false;
@@ -234,20 +235,20 @@ descent_has_ended(const struct descent *d)
 /* True if the rival is better, so that a descent at rest need not be examined
  * further. */
 static bool
-is_rival_better(const struct descent *d)
+is_rival_descent_better(const struct descent *d)
 {
 	return d->rival != NULL && !(d->result.misfit < d->rival->misfit);
 }
 
 /* Returns the misfit at q and keeps its r and J for
- * continue_descent_from_trial. */
+ * accept_descent_trial. */
 static double
 evaluate_trial_step(struct descent *d, const struct params *q)
 {
 	struct polish *s = d->s;
 	d->result.stopped = d->result.stopped || misfit_should_stop(s->misfit);
 	if (d->result.evaluations % PATIENCE == 0) {
-		d->given_up = d->given_up || cannot_reach_rival(d->before,
+		d->given_up = d->given_up || is_rival_out_of_reach(d->before,
 						 d->result.misfit, d->rival);
 		d->before = d->result.misfit;
 	}
@@ -257,8 +258,7 @@ evaluate_trial_step(struct descent *d, const struct params *q)
 
 /* Makes q, the point tried last, the current point. */
 static void
-continue_descent_from_trial(
-    struct descent *d, const struct params *q, double trial)
+accept_descent_trial(struct descent *d, const struct params *q, double trial)
 {
 	struct polish *s = d->s;
 	double *r = s->r, *J = s->J;
@@ -271,7 +271,7 @@ continue_descent_from_trial(
 	s->r_try = r;
 	s->J = s->J_try;
 	s->J_try = J;
-	update_column_scale(s);
+	update_jacobian_column_scale(s);
 }
 
 /* Takes Levenberg-Marquardt steps until they gain nothing or the number of
@@ -285,7 +285,7 @@ descend_by_damped_steps(struct descent *d, int evaluations)
 	while (!descent_has_ended(d) && d->small < 3 &&
 	       damping <= most_damping && d->result.evaluations < evaluations) {
 		size_t n_free =
-		    list_movable_columns(d->s, d->bounds, d->p, true, column);
+		    list_movable_params(d->s, d->bounds, d->p, true, column);
 		d->result.converged = n_free == 0;
 		if (d->result.converged)
 			break;
@@ -295,7 +295,7 @@ descend_by_damped_steps(struct descent *d, int evaluations)
 		    params_after_step(d->p, step, d->bounds, &cut);
 		double trial = evaluate_trial_step(d, &q);
 		if (trial < d->result.misfit) {
-			continue_descent_from_trial(d, &q, trial);
+			accept_descent_trial(d, &q, trial);
 			damping = fmax(damping / 5, least_damping);
 			grow = 2;
 		} else {
@@ -357,7 +357,8 @@ struct move {
 /* Searches along -H g, by bisection, for a point that is lower and less steep
  * (weak Wolfe conditions).  Returns false if there is none. */
 static bool
-search_along_line(struct descent *d, const struct secant *q, struct move *m)
+search_misfit_along_line(
+    struct descent *d, const struct secant *q, struct move *m)
 {
 	double way[PARAMS_MOST] = {0}, slope = 0, step[PARAMS_MOST];
 	double low = 0, high = INFINITY, t = 1;
@@ -384,7 +385,7 @@ search_along_line(struct descent *d, const struct secant *q, struct move *m)
 		} else if (!m->cut && there < 0.9 * slope) {
 			low = t;
 		} else {
-			continue_descent_from_trial(d, &p, trial);
+			accept_descent_trial(d, &p, trial);
 			return true;
 		}
 		t = isinf(high) ? 2 * low : (low + high) / 2;
@@ -404,13 +405,13 @@ descend_by_secants(struct descent *d, struct secant *q)
 {
 	struct move m = {.cut = false};
 	double steep = 0, from = d->result.misfit;
-	build_damped_triangle(d->s, q->column, q->n, 1e-4);
+	triangularise_damped_jacobian(d->s, q->column, q->n, 1e-4);
 	compute_secant_gradient(d->s, q, d->s->r, d->s->J, q->g);
 	for (size_t c = 0; c < q->n; c++) {
 		q->H[c][c] = 1;
 		steep += q->g[c] * q->g[c];
 	}
-	while (search_along_line(d, q, &m) && !m.cut) {
+	while (search_misfit_along_line(d, q, &m) && !m.cut) {
 		double dg[PARAMS_MOST];
 		for (size_t c = 0; c < q->n; c++)
 			dg[c] = m.g[c] - q->g[c];
@@ -419,19 +420,19 @@ descend_by_secants(struct descent *d, struct secant *q)
 	}
 	bool idle = from - d->result.misfit <= AT_REST * from && !m.cut;
 	d->given_up = d->given_up || (idle && steep > STEEP * from) ||
-		      (m.rest && is_rival_better(d));
+		      (m.rest && is_rival_descent_better(d));
 	return idle && !descent_has_ended(d);
 }
 
 /* Parameters on a bound stay there until the others are at rest; only then does
  * the gradient show whether they should leave it. */
 static void
-descend_to_rest(struct descent *d)
+descend_to_minimum(struct descent *d)
 {
 	bool let_go = false;
 	while (!descent_has_ended(d)) {
 		struct secant q = {0};
-		q.n = list_movable_columns(
+		q.n = list_movable_params(
 		    d->s, d->bounds, d->p, let_go, q.column);
 		bool rest = descend_by_secants(d, &q);
 		d->result.converged = d->result.converged || (rest && let_go);
@@ -440,7 +441,7 @@ descend_to_rest(struct descent *d)
 }
 
 struct polish_result
-polish_run(struct polish *s, const struct bounds *bounds, int most,
+polish_minimise_misfit(struct polish *s, const struct bounds *bounds, int most,
     const struct polish_rival *rival, struct params *p)
 {
 	struct descent d = {s, bounds, rival, p, .most = most};
@@ -448,9 +449,10 @@ polish_run(struct polish *s, const struct bounds *bounds, int most,
 	d.result.misfit = d.before = misfit_jacobian(s->misfit, p, s->r, s->J);
 	d.result.evaluations = 1;
 	d.given_up = !isfinite(d.result.misfit);
-	update_column_scale(s);
+	update_jacobian_column_scale(s);
 	descend_by_damped_steps(&d, DAMPED);
-	d.given_up = d.given_up || (d.small >= 3 && is_rival_better(&d));
-	descend_to_rest(&d);
+	d.given_up =
+	    d.given_up || (d.small >= 3 && is_rival_descent_better(&d));
+	descend_to_minimum(&d);
 	return d.result;
 }

@@ -41,7 +41,7 @@ struct polish_rival {
  * LNM 630; Kanzow, Yamashita, Fukushima (2004), J. Comput. Appl. Math. 172;
  * Lewis, Overton (2013), Nonsmooth optimization via quasi-Newton methods, Math.
  * Program. 141. */
-struct polish_result polish_run(struct polish *polish,
+struct polish_result polish_minimise_misfit(struct polish *polish,
     const struct bounds *bounds, int most, const struct polish_rival *rival,
     struct params *p);
 

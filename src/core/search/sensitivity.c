@@ -9,7 +9,7 @@
 #include "core/numeric/svd.h"
 
 bool
-sensitivity_is_on_bound(
+sensitivity_is_param_on_bound(
     const struct bounds *b, const struct params *p, size_t j)
 {
 	double x = p->at[j], range = b->upper[j] - b->lower[j];
@@ -20,15 +20,15 @@ sensitivity_is_on_bound(
 
 /* Lists the parameters that may move, and sets all ranges. */
 static void
-find_movable_params(struct sensitivity *s, const struct params *p,
+list_params_that_may_move(struct sensitivity *s, const struct params *p,
     const struct bounds *b, bool inward)
 {
-	size_t held = params_largest_gauge_index(p);
+	size_t held = params_index_of_largest_beta(p);
 	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++) {
 		bool fixed = !(b->upper[j] > b->lower[j]);
-		s->range[j] = bounds_range_of_param(b, p, j);
+		s->range[j] = bounds_scale_of_param(b, p, j);
 		if (!fixed && j != held && s->range[j] > 0 &&
-		    (inward || !sensitivity_is_on_bound(b, p, j)))
+		    (inward || !sensitivity_is_param_on_bound(b, p, j)))
 			s->column[s->n++] = j;
 	}
 }
@@ -55,7 +55,7 @@ decompose_jacobian(struct sensitivity *s, const double *J, size_t width,
 }
 
 struct sensitivity
-sensitivity_at_params(struct misfit *m, const struct params *p,
+sensitivity_of_misfit(struct misfit *m, const struct params *p,
     const struct bounds *bounds, bool inward, double *basis)
 {
 	struct sensitivity s = {0};
@@ -63,7 +63,7 @@ sensitivity_at_params(struct misfit *m, const struct params *p,
 	FREED double *r = xcalloc_doubles(rows),
 		     *J = xcalloc_doubles(rows * width);
 	s.misfit = misfit_jacobian(m, p, r, J);
-	find_movable_params(&s, p, bounds, inward);
+	list_params_that_may_move(&s, p, bounds, inward);
 	for (size_t i = 0; basis != NULL && i < rows * PARAMS_MOST; i++)
 		basis[i] = 0;
 	if (s.n > 0)
@@ -76,7 +76,7 @@ sensitivity_flattest_direction(
     struct misfit *m, const struct params *p, const struct bounds *bounds)
 {
 	struct flat_direction flat = {{0}, 0};
-	struct sensitivity s = sensitivity_at_params(m, p, bounds, false, NULL);
+	struct sensitivity s = sensitivity_of_misfit(m, p, bounds, false, NULL);
 	if (s.n == 0 || m->n_residual < s.n)
 		return flat;
 	size_t least = s.n - 1;

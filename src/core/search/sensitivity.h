@@ -24,14 +24,14 @@ struct sensitivity {
 /* True if a parameter is not fixed and is nearer to a bound than a millionth of
  * its range.  Always false for a parameter of the gauge, whose bounds only
  * limit the scale. */
-bool sensitivity_is_on_bound(
+bool sensitivity_is_param_on_bound(
     const struct bounds *bounds, const struct params *p, size_t j);
 
 /* inward: parameters on a bound may move too; fixed ones never do.  If basis
  * [m->n_residual * PARAMS_MOST] is not NULL, sets its row i to the shift of
  * difference i along each direction; its columns are orthonormal, or 0 where
  * sigma is negligible.  Cannot fail. */
-struct sensitivity sensitivity_at_params(struct misfit *m,
+struct sensitivity sensitivity_of_misfit(struct misfit *m,
     const struct params *p, const struct bounds *bounds, bool inward,
     double *basis);
 

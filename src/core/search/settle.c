@@ -10,7 +10,7 @@
 
 enum { STEPS = 40 };
 
-/* Shares of a parameter's range (bounds_range_of_param).  Steps below AT_REST
+/* Shares of a parameter's range (bounds_scale_of_param).  Steps below AT_REST
  * are rounding errors; a step above BESIDE leaves the neighbourhood of the
  * start; second derivatives are differences over APART to either side; the last
  * steps begin at whole multiples of COARSE; a parameter nearer to a bound than
@@ -28,12 +28,12 @@ struct newton {
 	size_t n, column[PARAMS_MOST]; /* the parameters that move */
 	double range[PARAMS_MOST];     /* of all parameters */
 	double *r, *J, *r_beside, *J_beside;
-	double H[PARAMS_MOST][PARAMS_MOST]; /* see compute_curvature */
+	double H[PARAMS_MOST][PARAMS_MOST]; /* see compute_misfit_hessian */
 };
 
 /* Moves parameters that are on a bound, apart from rounding, onto it. */
 static void
-snap_to_bounds(const struct bounds *b, struct params *p)
+snap_params_to_bounds(const struct bounds *b, struct params *p)
 {
 	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++) {
 		double near = ON_BOUND * (b->upper[j] - b->lower[j]);
@@ -47,14 +47,14 @@ snap_to_bounds(const struct bounds *b, struct params *p)
 /* Lists the parameters that move: all except those on a bound and the largest
  * of the gauge, of which only the direction matters. */
 static void
-list_moving_columns(struct newton *w, const struct params *p)
+list_params_off_bounds(struct newton *w, const struct params *p)
 {
 	const struct breakage *of = breakage_model_of_params(p);
-	size_t held = params_largest_gauge_index(p);
+	size_t held = params_index_of_largest_beta(p);
 	w->n = 0;
 	for (size_t j = 0; j < of->n; j++) {
 		double lower = w->bounds->lower[j], upper = w->bounds->upper[j];
-		w->range[j] = bounds_range_of_param(w->bounds, p, j);
+		w->range[j] = bounds_scale_of_param(w->bounds, p, j);
 		if (j != held && p->at[j] > lower && p->at[j] < upper)
 			w->column[w->n++] = j;
 	}
@@ -63,7 +63,7 @@ list_moving_columns(struct newton *w, const struct params *p)
 /* Computes g [n], half the gradient with parameters in units of their ranges.
  * Returns the misfit. */
 static double
-compute_gradient(struct newton *w, const struct params *p, double *g)
+compute_misfit_gradient(struct newton *w, const struct params *p, double *g)
 {
 	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
 	double misfit = misfit_jacobian(w->misfit, p, w->r, w->J);
@@ -80,7 +80,7 @@ compute_gradient(struct newton *w, const struct params *p, double *g)
 /* Adds the curvature of the residuals along a parameter to its row of H, from
  * the change of J between points on either side. */
 static void
-add_curvature_column(struct newton *w, const struct params *p, size_t c)
+add_residual_curvature_row(struct newton *w, const struct params *p, size_t c)
 {
 	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
 	for (int side = -1; side <= 1; side += 2) {
@@ -100,12 +100,12 @@ add_curvature_column(struct newton *w, const struct params *p, size_t c)
 /* Computes H, half the derivative of the gradient at the point of r and J, with
  * parameters in units of their ranges. */
 static void
-compute_curvature(struct newton *w, const struct params *p)
+compute_misfit_hessian(struct newton *w, const struct params *p)
 {
 	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
 	memset(w->H, 0, sizeof w->H);
 	for (size_t c = 0; c < w->n; c++)
-		add_curvature_column(w, p, c);
+		add_residual_curvature_row(w, p, c);
 	for (size_t c = 0; c < w->n; c++)
 		for (size_t d = 0; d <= c; d++) {
 			const double *a = w->J + w->column[c],
@@ -123,7 +123,7 @@ compute_curvature(struct newton *w, const struct params *p)
  * false if it has none, for example if the data do not determine a
  * direction. */
 static bool
-factor_curvature(struct newton *w)
+factor_hessian(struct newton *w)
 {
 	const double open = 1e-13; /* share of the diagonal element */
 	for (size_t c = 0; c < w->n; c++) {
@@ -142,7 +142,7 @@ factor_curvature(struct newton *w)
 
 /* Computes H^-1 x in place. */
 static void
-solve_with_curvature(const struct newton *w, double *x)
+solve_with_hessian(const struct newton *w, double *x)
 {
 	for (size_t c = 0; c < w->n; c++) {
 		for (size_t k = 0; k < c; k++)
@@ -162,13 +162,13 @@ static bool
 newton_descend(struct newton *w, struct params *p)
 {
 	double g[PARAMS_MOST], before = INFINITY;
-	double misfit = compute_gradient(w, p, g);
-	compute_curvature(w, p);
-	if (!isfinite(misfit) || !factor_curvature(w))
+	double misfit = compute_misfit_gradient(w, p, g);
+	compute_misfit_hessian(w, p);
+	if (!isfinite(misfit) || !factor_hessian(w))
 		return false;
 	for (int i = 0; i < STEPS; i++) {
 		double most = 0;
-		solve_with_curvature(w, g);
+		solve_with_hessian(w, g);
 		for (size_t c = 0; c < w->n; c++) {
 			size_t j = w->column[c];
 			p->at[j] -= g[c] * w->range[j];
@@ -182,7 +182,7 @@ newton_descend(struct newton *w, struct params *p)
 		if (most < AT_REST && most > before / 4)
 			return true;
 		before = most;
-		compute_gradient(w, p, g);
+		compute_misfit_gradient(w, p, g);
 	}
 	return before < AT_REST;
 }
@@ -213,8 +213,8 @@ settle_at_stationary_point(
 	w.J = w.r_beside + rows;
 	w.J_beside = w.J + rows * width;
 	struct params near = *p;
-	snap_to_bounds(bounds, &near);
-	list_moving_columns(&w, &near);
+	snap_params_to_bounds(bounds, &near);
+	list_params_off_bounds(&w, &near);
 	bool found = w.n > 0 && rows >= w.n && newton_descend(&w, &near);
 	struct params q = round_params_to_few_digits(&w, &near);
 	found = found && newton_descend(&w, &q) &&

@@ -8,11 +8,11 @@
 #include "core/search/misfit.h"
 #include "core/model/params.h"
 
-/* Moves *p, a converged result of polish_run, to where the misfit's gradient is
- * 0.  Even a misfit exact to the last digit determines only half the digits of
- * the parameters; the gradient determines nearly all of them.  The last steps
- * begin at parameters rounded to seven digits.  These are the same for all
- * starts, so the result is the same to the last bit.
+/* Moves *p, a converged result of polish_minimise_misfit, to where the misfit's
+ * gradient is 0.  Even a misfit exact to the last digit determines only half
+ * the digits of the parameters; the gradient determines nearly all of them.
+ * The last steps begin at parameters rounded to seven digits.  These are the
+ * same for all starts, so the result is the same to the last bit.
  *
  * Parameters on a bound stay there, and the largest of the gauge (D4) does not
  * change.  Returns false and leaves *p unchanged if there is no such point

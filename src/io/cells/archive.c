@@ -53,7 +53,7 @@ archive_has_entry(const struct archive *archive, const char *name)
 }
 
 double
-archive_unpacked_bytes(const struct archive *archive)
+archive_unpacked_size(const struct archive *archive)
 {
 	double bytes = 0;
 	zip_int64_t n = zip_get_num_entries(archive->zip, 0);
@@ -70,7 +70,7 @@ archive_unpacked_bytes(const struct archive *archive)
 /* Reads an entry to its end, whatever size the archive states.  Returns NULL if
  * it is damaged or exceeds the limit. */
 static char *
-read_entry_to_end(struct archive *archive, zip_file_t *file, size_t *n)
+unpack_entry_to_end(struct archive *archive, zip_file_t *file, size_t *n)
 {
 	char *bytes = NULL;
 	zip_int64_t got = 1;
@@ -109,7 +109,8 @@ archive_unpack_entry(
 		return NULL;
 	}
 	zip_file_t *file = zip_fopen_index(archive->zip, (zip_uint64_t)at, 0);
-	char *bytes = file != NULL ? read_entry_to_end(archive, file, n) : NULL;
+	char *bytes =
+	    file != NULL ? unpack_entry_to_end(archive, file, n) : NULL;
 	if (bytes == NULL && archive->unpacked > MOST_BYTES)
 		*wrong = xasprintf(
 		    tr("more than %d MB unpacked"), MOST_BYTES / 1000000);

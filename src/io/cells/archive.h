@@ -20,7 +20,7 @@ bool archive_has_entry(const struct archive *archive, const char *name);
 
 /* Returns the total unpacked size of the parts, in bytes, as the archive states
  * it. */
-double archive_unpacked_bytes(const struct archive *archive);
+double archive_unpacked_size(const struct archive *archive);
 
 /* Returns the content of a part, *n bytes and a NUL, which the caller frees.
  * Returns NULL, with the reason in *wrong as above, if the part is missing,

@@ -21,7 +21,7 @@ struct said {
 };
 
 static void
-append_format_unit_char(struct said *said, char c)
+append_char_to_unit_of_format(struct said *said, char c)
 {
 	if (said->n + 1 < sizeof said->unit)
 		said->unit[said->n++] = c;
@@ -29,13 +29,13 @@ append_format_unit_char(struct said *said, char c)
 
 /* Reads "text", [Red] or [h].  Returns the text after it. */
 static const char *
-parse_quoted_or_bracketed(const char *p, struct said *said)
+parse_format_quote_or_bracket(const char *p, struct said *said)
 {
 	char close = *p == '[' ? ']' : '"';
 	const char *from = ++p;
 	while (*p != '\0' && *p != close) {
 		if (close == '"')
-			append_format_unit_char(said, *p);
+			append_char_to_unit_of_format(said, *p);
 		p++;
 	}
 	/* [h] or [mm]: elapsed time. */
@@ -48,12 +48,12 @@ parse_quoted_or_bracketed(const char *p, struct said *said)
 
 /* Reads a character outside quotes and brackets.  Returns the text after it. */
 static const char *
-parse_format_char(const char *p, struct said *said)
+parse_cell_format_char(const char *p, struct said *said)
 {
 	switch (tolower((unsigned char)*p)) {
 	case '\\':
 		if (p[1] != '\0')
-			append_format_unit_char(said, *++p);
+			append_char_to_unit_of_format(said, *++p);
 		break;
 	case '_':
 	case '*':
@@ -100,9 +100,9 @@ cell_format_of_code(const char *code)
 		if (plain > 0)
 			p += plain;
 		else if (*p == '"' || *p == '[')
-			p = parse_quoted_or_bracketed(p, &said);
+			p = parse_format_quote_or_bracket(p, &said);
 		else
-			p = parse_format_char(p, &said);
+			p = parse_cell_format_char(p, &said);
 	}
 	struct cell_format shown = {.kind = said.span   ? FORMAT_SPAN
 					    : said.day  ? FORMAT_DATE
@@ -158,7 +158,7 @@ cell_format_serial_to_text(double serial, bool from_1904,
 	 * day numbers are one less. */
 	long epoch = from_1904 ? TO_1904 : TO_1899 + (day < 60);
 	FREED char *date = kind == FORMAT_DATE || day > 0
-			       ? datetime_date_from_days(day + epoch)
+			       ? datetime_date_text_from_days(day + epoch)
 			       : xstrdup("");
 	bool both = date[0] != '\0' && !midnight;
 	snprintf(text, 32, "%s%s%s", date, both ? "T" : "",

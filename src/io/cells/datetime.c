@@ -283,7 +283,7 @@ datetime_is_iso_date(const char *text)
 /* Source: H. Hinnant, chrono-Compatible Low-Level Date Algorithms,
  * civil_from_days. */
 char *
-datetime_date_from_days(long days)
+datetime_date_text_from_days(long days)
 {
 	long z = days + 719468, era = z / 146097, doe = z - era * 146097;
 	long yoe = (doe - doe / 1460 + doe / 36524 - doe / 146096) / 365;
@@ -298,13 +298,14 @@ datetime_date_from_days(long days)
 char *
 datetime_to_text(double seconds)
 {
-	FREED char *day = datetime_date_from_days((long)floor(seconds / DAY));
+	FREED char *day =
+	    datetime_date_text_from_days((long)floor(seconds / DAY));
 	FREED char *clock = datetime_time_of_day_text(seconds);
 	return xasprintf("%s %s", day, clock);
 }
 
 char *
-datetime_today(void)
+datetime_today_text(void)
 {
 	uint64_t whole;
 	const char *epoch = getenv("SOURCE_DATE_EPOCH");

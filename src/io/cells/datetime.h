@@ -47,12 +47,12 @@ bool datetime_is_iso_date(const char *text);
 
 /* Returns the date that many days after 1970-01-01, as "2026-05-03"; the year
  * is at most 9999.  The caller frees it. */
-char *datetime_date_from_days(long days);
+char *datetime_date_text_from_days(long days);
 
 /* Returns today's date in local time, "2026-05-03", or the date of
  * SOURCE_DATE_EPOCH if that is set, for reproducible output.  The caller frees
  * it. */
-char *datetime_today(void);
+char *datetime_today_text(void);
 
 /* True for a date with its month in words, such as the name of a sheet: "4
  * May", "Mai 4, 2026". */

@@ -23,7 +23,7 @@ static const uint16_t C1[32] = {0x20AC, 0, 0x201A, 0x0192, 0x201E, 0x2026,
     0x0161, 0x203A, 0x0153, 0, 0x017E, 0x0178};
 
 static uint32_t
-code_point_of_1252(char byte)
+code_point_of_windows_1252(char byte)
 {
 	unsigned char c = (unsigned char)byte;
 	return c >= 0x80 && c < 0xA0 ? C1[c - 0x80] : c;
@@ -42,7 +42,7 @@ decode_windows_1252(const char *bytes, size_t n)
 	struct decoded d = {ENCODING_1252, xcalloc(3 * n + 1, 1), 0, 0, NULL};
 	char *to = d.text;
 	for (size_t i = 0; i < n; i++) {
-		uint32_t code = code_point_of_1252(bytes[i]);
+		uint32_t code = code_point_of_windows_1252(bytes[i]);
 		bool none = code == 0 && bytes[i] != '\0';
 		if (none && d.wrong == NULL) {
 			d.wrong =
@@ -146,7 +146,7 @@ encoding_decode(const char *bytes, size_t n)
  * accents: utf8proc sorts these by exchanging neighbours, which would take too
  * long for a million of them. */
 static bool
-should_compose_letters(const char *text)
+should_compose_accents(const char *text)
 {
 	enum { MOST_MARKS = 30 };
 	bool plain = true;
@@ -166,7 +166,7 @@ char *
 encoding_to_nfc(const char *text)
 {
 	utf8proc_uint8_t *composed =
-	    should_compose_letters(text)
+	    should_compose_accents(text)
 		? utf8proc_NFC((const utf8proc_uint8_t *)text)
 		: NULL;
 	if (composed == NULL)

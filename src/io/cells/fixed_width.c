@@ -94,7 +94,7 @@ is_line_of_numbers(const struct line *line)
 }
 
 static bool
-is_rule(const struct line *line)
+is_text_line_of_dashes(const struct line *line)
 {
 	size_t dashes = 0;
 	for (size_t i = 0; i < line->n; i++)
@@ -104,7 +104,7 @@ is_rule(const struct line *line)
 
 /* Lists the lines of a text.  For blank lines, n is 0. */
 static struct line *
-list_lines(char *text, size_t *n)
+split_into_lines(char *text, size_t *n)
 {
 	size_t ends = 1;
 	for (const char *p = text; *p != '\0'; p++)
@@ -116,7 +116,7 @@ list_lines(char *text, size_t *n)
 		size_t length = strcspn(p, "\r\n");
 		own->text = p;
 		own->n = strspn(p, " ") < length ? length : 0;
-		own->rule = is_rule(own);
+		own->rule = is_text_line_of_dashes(own);
 		own->numbers = !own->rule && is_line_of_numbers(own);
 		p += length;
 		p += p[0] == '\r' && p[1] == '\n' ? 2 : p[0] != '\0';
@@ -127,7 +127,7 @@ list_lines(char *text, size_t *n)
 /* Finds the columns of lines of numbers: runs of characters that at least one
  * line fills. */
 static struct grid_columns
-find_columns(const struct line *line, size_t n)
+find_columns_in_lines(const struct line *line, size_t n)
 {
 	bool filled[MOST_WIDE + 1] = {false};
 	struct grid_columns g = {0};
@@ -159,7 +159,7 @@ span_distance(const struct span *a, const struct span *b)
 /* Returns the column that a cell overlaps or is nearest to.  If it overlaps
  * several, their middles decide. */
 static size_t
-column_of_cell(const struct grid_columns *g, const struct span *cell)
+nearest_column_of_cell(const struct grid_columns *g, const struct span *cell)
 {
 	size_t best = 0, least = SIZE_MAX;
 	for (size_t i = 0; i < g->n; i++) {
@@ -179,7 +179,7 @@ column_of_cell(const struct grid_columns *g, const struct span *cell)
 /* Widens the columns to hold a line of headings that has one for each.  A
  * heading may begin far to the left of its numbers. */
 static void
-widen_columns_to_heads(struct grid_columns *g, const struct line *head)
+widen_columns_to_headings(struct grid_columns *g, const struct line *head)
 {
 	struct span cell[MOST_CELLS];
 	if (head->rule || split_at_wide_gaps(head, cell) != g->n)
@@ -200,17 +200,17 @@ struct text_table {
 };
 
 static struct text_table
-find_text_table(const struct line *line, size_t first, size_t n)
+find_table_in_text_lines(const struct line *line, size_t first, size_t n)
 {
 	struct text_table t = {.top = first, .first = first, .end = first};
 	while (t.end < n && line[t.end].numbers)
 		t.end++;
-	t.columns = find_columns(&line[first], t.end - first);
+	t.columns = find_columns_in_lines(&line[first], t.end - first);
 	while (t.top > 0 && first - t.top < MOST_HEADS &&
 	       line[t.top - 1].n > 0 && !line[t.top - 1].numbers)
 		t.top--;
 	for (size_t k = t.top; k < first; k++)
-		widen_columns_to_heads(&t.columns, &line[k]);
+		widen_columns_to_headings(&t.columns, &line[k]);
 	return t;
 }
 
@@ -219,14 +219,14 @@ find_text_table(const struct line *line, size_t first, size_t n)
  * gets one tab between cells.  Returns the number of cells, or 0 if there are
  * more than columns, two are in one column, or the line is too wide. */
 static size_t
-put_tab_characters_in_line(struct line *line, const struct grid_columns *g,
+separate_line_cells_by_tabs(struct line *line, const struct grid_columns *g,
     struct span cell[static MOST_CELLS])
 {
 	size_t n = split_at_wide_gaps(line, cell), at[MOST_CELLS] = {0};
 	if (g != NULL && (n == 0 || n > g->n || cell[n - 1].right >= MOST_WIDE))
 		return 0;
 	for (size_t i = 0; i < n; i++) {
-		at[i] = g != NULL ? column_of_cell(g, &cell[i]) : i;
+		at[i] = g != NULL ? nearest_column_of_cell(g, &cell[i]) : i;
 		if (i > 0 && at[i] <= at[i - 1])
 			return 0;
 	}
@@ -244,7 +244,7 @@ put_tab_characters_in_line(struct line *line, const struct grid_columns *g,
  * number, and one of them has a heading for each column.  Otherwise a gap could
  * move a number into the column of another sample. */
 static bool
-put_tab_characters_in_table(struct line *line, const struct text_table *t)
+separate_table_cells_by_tabs(struct line *line, const struct text_table *t)
 {
 	struct span cell[MOST_CELLS];
 	bool whole = false;
@@ -253,7 +253,7 @@ put_tab_characters_in_table(struct line *line, const struct text_table *t)
 			continue;
 		bool head = k < t->first;
 		size_t n =
-		    put_tab_characters_in_line(&line[k], &t->columns, cell);
+		    separate_line_cells_by_tabs(&line[k], &t->columns, cell);
 		if (n == 0 || (head && is_cell_like_number(&line[k], &cell[0])))
 			return false;
 		whole = whole || (head && n == t->columns.n);
@@ -264,25 +264,25 @@ put_tab_characters_in_table(struct line *line, const struct text_table *t)
 /* Puts tabs into all tables.  Returns false if the columns of one are in doubt,
  * or there are too few lines of numbers. */
 static bool
-put_tab_characters_in_tables(struct line *line, size_t n)
+separate_all_tables_by_tabs(struct line *line, size_t n)
 {
 	size_t numbers = 0;
 	for (size_t i = 0; i < n; i++) {
 		if (!line[i].numbers)
 			continue;
-		struct text_table t = find_text_table(line, i, n);
+		struct text_table t = find_table_in_text_lines(line, i, n);
 		for (; i < t.end; i++)
 			numbers +=
 			    strcspn(line[i].text, DIGIT_OR_END) < line[i].n;
 		i--;
-		if (!put_tab_characters_in_table(line, &t))
+		if (!separate_table_cells_by_tabs(line, &t))
 			return false;
 	}
 	return numbers >= LEAST_LINES;
 }
 
 static void
-put_tabs_for_bars(struct line *line)
+replace_pipes_by_tabs(struct line *line)
 {
 	char *p = line->text, *last = line->text + line->n;
 	while (last > p && last[-1] == ' ')
@@ -298,7 +298,7 @@ put_tabs_for_bars(struct line *line)
 
 /* True if most lines have a |, which then separates cells. */
 static bool
-has_bars(const struct line *line, size_t n)
+has_bar_separators(const struct line *line, size_t n)
 {
 	size_t bars = 0, filled = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -309,24 +309,24 @@ has_bars(const struct line *line, size_t n)
 }
 
 bool
-fixed_width_put_tabs(char *text)
+fixed_width_convert_to_tabs(char *text)
 {
 	if (strchr(text, '\t') != NULL)
 		return false;
 	size_t n;
 	struct span cell[MOST_CELLS];
 	FREED char *copy = xstrdup(text);
-	FREED struct line *line = list_lines(copy, &n);
-	bool bars = has_bars(line, n);
-	if (!bars && !put_tab_characters_in_tables(line, n))
+	FREED struct line *line = split_into_lines(copy, &n);
+	bool bars = has_bar_separators(line, n);
+	if (!bars && !separate_all_tables_by_tabs(line, n))
 		return false;
 	for (size_t i = 0; i < n; i++)
 		if (line[i].rule)
 			line[i].text[0] = '#';
 		else if (bars)
-			put_tabs_for_bars(&line[i]);
+			replace_pipes_by_tabs(&line[i]);
 		else if (memchr(line[i].text, '\t', line[i].n) == NULL)
-			put_tab_characters_in_line(&line[i], NULL, cell);
+			separate_line_cells_by_tabs(&line[i], NULL, cell);
 	memcpy(text, copy, strlen(copy));
 	return true;
 }

@@ -11,6 +11,6 @@
  * positions; an empty cell gets a tab too.  Lines that are only rules become
  * comments.  Returns false, and leaves the text unchanged, if it has no such
  * columns. */
-bool fixed_width_put_tabs(char *text);
+bool fixed_width_convert_to_tabs(char *text);
 
 #endif

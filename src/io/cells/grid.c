@@ -41,7 +41,7 @@ sheets_clear(struct sheets *g)
 }
 
 void
-sheets_note(struct sheets *g, const char *format, ...)
+sheets_add_note(struct sheets *g, const char *format, ...)
 {
 	if (g->n_note++ >= MOST_NOTES)
 		return;
@@ -49,13 +49,13 @@ sheets_note(struct sheets *g, const char *format, ...)
 	va_start(ap, format);
 	FREED char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
-	size_t n = text_bytes_within(text, MOST_NOTE);
+	size_t n = text_bytes_up_to_limit(text, MOST_NOTE);
 	xappend_to_list(&g->note, "; ", "%.*s%s", (int)n, text,
 	    text[n] != '\0' ? "..." : "");
 }
 
 void
-sheets_note_omitted_count(struct sheets *g)
+sheets_note_omitted_remarks(struct sheets *g)
 {
 	if (g->n_note > MOST_NOTES)
 		xappend_to_list(&g->note, "; ",
@@ -64,9 +64,10 @@ sheets_note_omitted_count(struct sheets *g)
 }
 
 void
-sheets_note_more_sheets(struct sheets *g, int most)
+sheets_note_too_many_sheets(struct sheets *g, int most)
 {
-	sheets_note(g, "more than %d sheets: the others are not read", most);
+	sheets_add_note(
+	    g, "more than %d sheets: the others are not read", most);
 }
 
 void
@@ -83,17 +84,17 @@ sheets_end_sheet(struct sheets *g)
 {
 	struct sheet *sheet = g->now;
 	g->now = NULL;
-	sheet_finish_rows(sheet);
+	sheet_separate_comment_rows(sheet);
 	bool empty = sheet->n_row == 0 && sheet->n_comment == 0;
 	if (g->too_big != NULL)
-		sheets_note(
+		sheets_add_note(
 		    g, "sheet %s is not read: %s", sheet->name, g->too_big);
 	else if (!empty && g->hidden)
-		sheets_note(g,
+		sheets_add_note(g,
 		    "hidden rows and columns of sheet %s are also read",
 		    sheet->name);
 	if (!empty && g->unsolved && g->too_big == NULL)
-		sheets_note(g,
+		sheets_add_note(g,
 		    "sheet %s has formulas without results: open and save "
 		    "the workbook in a spreadsheet program",
 		    sheet->name);
@@ -123,7 +124,7 @@ sheets_put_cell(struct sheets *g, struct cell cell)
 	if (!filled || g->too_big != NULL)
 		free(cell.text);
 	else
-		sheet_put_cell(g->now, cell);
+		sheet_set_cell(g->now, cell);
 	return filled;
 }
 

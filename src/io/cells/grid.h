@@ -52,13 +52,13 @@ bool sheets_put_date(struct sheets *grid, struct cell where, const char *text);
 bool sheets_put_formula(
     struct sheets *grid, struct cell where, const char *formula);
 
-/* sheets_note adds a remark on the workbook.  From the 21st on, remarks are
- * only counted; sheets_note_omitted_count adds their number at the end. */
-void sheets_note(struct sheets *grid, const char *format, ...)
+/* sheets_add_note adds a remark on the workbook.  From the 21st on, remarks are
+ * only counted; sheets_note_omitted_remarks adds their number at the end. */
+void sheets_add_note(struct sheets *grid, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-void sheets_note_omitted_count(struct sheets *grid);
+void sheets_note_omitted_remarks(struct sheets *grid);
 
 /* Adds the remark that sheets beyond the first `most` are not read. */
-void sheets_note_more_sheets(struct sheets *grid, int most);
+void sheets_note_too_many_sheets(struct sheets *grid, int most);
 
 #endif

@@ -182,7 +182,7 @@ is_word_for_trace(const char *text)
 }
 
 static void
-find_number_in_cell(const struct sheet *sheet, struct cell *cell)
+parse_number_in_cell(const struct sheet *sheet, struct cell *cell)
 {
 	double number = NAN;
 	cell->value = AS_NONE;
@@ -208,22 +208,22 @@ find_number_in_cell(const struct sheet *sheet, struct cell *cell)
 }
 
 void
-number_find_in_all_cells(struct sheet *sheet)
+number_parse_all_cells(struct sheet *sheet)
 {
 	for (size_t r = 0;
-	     r < sheet->n_row && !error_should_stop(sheet->errors); r++)
+	     r < sheet->n_row && !error_is_stop_requested(sheet->errors); r++)
 		for (size_t i = 0; i < sheet->row[r].n_all; i++)
-			find_number_in_cell(sheet, &sheet->row[r].cell[i]);
+			parse_number_in_cell(sheet, &sheet->row[r].cell[i]);
 }
 
 void
-number_choose_decimal_sign(struct sheet *sheet)
+number_detect_decimal_sign(struct sheet *sheet)
 {
 	size_t points = 0, commas = 0;
 	char first = '\0';
 	sheet->open = (struct cell){0};
 	for (size_t r = 0;
-	     r < sheet->n_row && !error_should_stop(sheet->errors); r++)
+	     r < sheet->n_row && !error_is_stop_requested(sheet->errors); r++)
 		for (size_t i = 0; i < sheet->row[r].n; i++) {
 			struct cell cell = sheet->row[r].cell[i];
 			char sign = cell.kind == CELL_TEXT
@@ -242,7 +242,7 @@ number_choose_decimal_sign(struct sheet *sheet)
 		sheet->decimal = '.';
 	if (sheet->decimal != '\0')
 		sheet->open.text = NULL;
-	number_find_in_all_cells(sheet);
+	number_parse_all_cells(sheet);
 }
 
 void
@@ -250,15 +250,16 @@ number_set_decimal_sign(struct sheet *sheet, char sign)
 {
 	sheet->decimal = sign;
 	sheet->open.text = NULL;
-	number_find_in_all_cells(sheet);
+	number_parse_all_cells(sheet);
 }
 
 struct cell
-number_cell_with_text(const struct sheet *sheet, struct cell cell, char *text)
+number_reparse_cell_with_text(
+    const struct sheet *sheet, struct cell cell, char *text)
 {
 	cell.kind = CELL_TEXT;
 	cell.text = text;
-	find_number_in_cell(sheet, &cell);
+	parse_number_in_cell(sheet, &cell);
 	return cell;
 }
 
@@ -271,7 +272,7 @@ number_value_of_cell(struct cell cell, double *value)
 }
 
 static const char *
-hint_if_not_number(const char *s)
+hint_for_non_number(const char *s)
 {
 	if (s[0] == '=')
 		return tr(
@@ -304,12 +305,12 @@ number_read_cell(
 	char sign = decimal_sign_of_text(cell.text);
 	if (sheet->decimal == '\0' || (sign != '.' && sign != ',') ||
 	    sign == sheet->decimal)
-		return sheet_fault_expected(
-		    sheet, cell, wanted, "%s", hint_if_not_number(cell.text));
+		return sheet_report_expected(
+		    sheet, cell, wanted, "%s", hint_for_non_number(cell.text));
 	if (sheet->mixed)
 		return false;
 	sheet->mixed = true;
-	return sheet_fault(sheet, cell,
+	return sheet_report_fault(sheet, cell,
 	    "expected a decimal %s as in other cells, got %s\n"
 	    "use one decimal sign in the whole sheet",
 	    sheet->decimal == ',' ? "comma" : "point", cell.text);

@@ -8,17 +8,17 @@
 /* Chooses the decimal sign of the whole sheet by the majority of unambiguous
  * numbers (80,5; 1.250,5), then finds the number in each cell.  If all numbers
  * are ambiguous, such as 1,250, the sign stays open (sheet->open). */
-void number_choose_decimal_sign(struct sheet *sheet);
+void number_detect_decimal_sign(struct sheet *sheet);
 
-/* As number_choose_decimal_sign, but with a given decimal sign. */
+/* As number_detect_decimal_sign, but with a given decimal sign. */
 void number_set_decimal_sign(struct sheet *sheet, char sign);
 
 /* Finds the number in each cell, with the decimal sign of the sheet. */
-void number_find_in_all_cells(struct sheet *sheet);
+void number_parse_all_cells(struct sheet *sheet);
 
 /* Returns a copy of the cell with another text and the number in it.  The text
  * is not copied. */
-struct cell number_cell_with_text(
+struct cell number_reparse_cell_with_text(
     const struct sheet *sheet, struct cell cell, char *text);
 
 /* Reads the number in a cell, with the decimal sign of the sheet; the other

@@ -74,17 +74,17 @@ is_style_hidden(const struct reading *r, const char *style)
 }
 
 static void
-ods_begin_style(
+ods_read_style_visibility(
     struct reading *r, const char *name, const char *const *attribute)
 {
 	enum { MOST_STYLES = 1000 };
-	const char *family = xml_attribute(attribute, "style:1.0 family");
-	const char *shown = xml_attribute(attribute, "table:1.0 display");
+	const char *family = xml_attribute_value(attribute, "style:1.0 family");
+	const char *shown = xml_attribute_value(attribute, "table:1.0 display");
 	if (strcmp(name, "style") == 0 && family != NULL) {
 		free(r->style);
 		r->style = strcmp(family, "table") == 0
-			       ? copy_text_or_null(
-				     xml_attribute(attribute, "style:1.0 name"))
+			       ? copy_text_or_null(xml_attribute_value(
+				     attribute, "style:1.0 name"))
 			       : NULL;
 	} else if (strcmp(name, "table-properties") == 0 && r->style != NULL &&
 		   shown != NULL && strcmp(shown, "false") == 0 &&
@@ -98,8 +98,9 @@ ods_begin_style(
 static void
 ods_begin_table(struct reading *r, const char *const *attribute)
 {
-	const char *name = xml_attribute(attribute, "table:1.0 name");
-	const char *style = xml_attribute(attribute, "table:1.0 style-name");
+	const char *name = xml_attribute_value(attribute, "table:1.0 name");
+	const char *style =
+	    xml_attribute_value(attribute, "table:1.0 style-name");
 	name = name != NULL ? name : "";
 	bool more = ++r->n_table > MOST_TABLES;
 	r->visible = !more && !is_style_hidden(r, style);
@@ -107,15 +108,17 @@ ods_begin_table(struct reading *r, const char *const *attribute)
 	if (r->visible)
 		sheets_begin_sheet(r->grid, name);
 	else if (more && r->n_table == MOST_TABLES + 1)
-		sheets_note_more_sheets(r->grid, MOST_TABLES);
+		sheets_note_too_many_sheets(r->grid, MOST_TABLES);
 	else if (!more)
-		sheets_note(r->grid, "sheet %s is hidden and not read", name);
+		sheets_add_note(
+		    r->grid, "sheet %s is hidden and not read", name);
 }
 
 static void
-mark_hidden_rows_or_columns(struct reading *r, const char *const *attribute)
+detect_hidden_rows_or_columns(struct reading *r, const char *const *attribute)
 {
-	const char *seen = xml_attribute(attribute, "table:1.0 visibility");
+	const char *seen =
+	    xml_attribute_value(attribute, "table:1.0 visibility");
 	if (seen != NULL && strcmp(seen, "visible") != 0 && r->visible)
 		r->grid->hidden = true;
 }
@@ -132,16 +135,18 @@ ods_begin_cell(struct reading *r, const char *const *attribute)
 	    {"string", "office:1.0 string-value"},
 	    {"boolean", "office:1.0 boolean-value"}};
 	struct content *c = &r->content;
-	const char *type = xml_attribute(attribute, "office:1.0 value-type");
-	const char *more = xml_attribute(attribute, "calcext:1.0 value-type");
+	const char *type =
+	    xml_attribute_value(attribute, "office:1.0 value-type");
+	const char *more =
+	    xml_attribute_value(attribute, "calcext:1.0 value-type");
 	c->type = copy_text_or_null(type);
-	c->formula =
-	    copy_text_or_null(xml_attribute(attribute, "table:1.0 formula"));
+	c->formula = copy_text_or_null(
+	    xml_attribute_value(attribute, "table:1.0 formula"));
 	c->failed = more != NULL && strcmp(more, "error") == 0;
 	for (size_t i = 0; type != NULL && i < ARRAY_LEN(VALUES); i++)
 		if (strcmp(type, VALUES[i].type) == 0)
 			c->value = copy_text_or_null(
-			    xml_attribute(attribute, VALUES[i].value));
+			    xml_attribute_value(attribute, VALUES[i].value));
 	r->cells = xml_attribute_as_integer(
 	    attribute, "table:1.0 number-columns-repeated", 1);
 }
@@ -149,7 +154,7 @@ ods_begin_cell(struct reading *r, const char *const *attribute)
 /* Begins an element within a cell.  Only paragraphs are part of the text that
  * the cell shows; notes, shapes and readings (ruby) are not. */
 static void
-begin_element_in_cell(
+ods_begin_element_in_cell(
     struct reading *r, const char *name, const char *const *attribute)
 {
 	static const char *const OTHER[] = {
@@ -182,20 +187,20 @@ ods_begin_element(void *data, const char *name, const char *const *attribute)
 	if (r->skip > 0 && r->cell == 0) {
 		r->skip++;
 	} else if (r->cell > 0) {
-		begin_element_in_cell(r, name, attribute);
+		ods_begin_element_in_cell(r, name, attribute);
 	} else if (r->table == 0 && strcmp(name, "table") == 0) {
 		r->table = 1;
 		ods_begin_table(r, attribute);
 	} else if (r->table == 0) {
 		r->skip = strcmp(name, "tracked-changes") == 0;
-		ods_begin_style(r, name, attribute);
+		ods_read_style_visibility(r, name, attribute);
 	} else if (strcmp(name, "table-row") == 0) {
-		mark_hidden_rows_or_columns(r, attribute);
+		detect_hidden_rows_or_columns(r, attribute);
 		r->at.column = 1;
 		r->rows = xml_attribute_as_integer(
 		    attribute, "table:1.0 number-rows-repeated", 1);
 	} else if (strcmp(name, "table-column") == 0) {
-		mark_hidden_rows_or_columns(r, attribute);
+		detect_hidden_rows_or_columns(r, attribute);
 	} else if (cell) {
 		r->cell = 1;
 		ods_begin_cell(r, attribute);
@@ -205,7 +210,7 @@ ods_begin_element(void *data, const char *name, const char *const *attribute)
 }
 
 static void
-ods_add_text(void *data, const char *text, size_t n)
+ods_append_cell_text(void *data, const char *text, size_t n)
 {
 	struct reading *r = data;
 	if (r->cell > 0 && r->paragraph > 0 && r->skip == 0)
@@ -214,7 +219,7 @@ ods_add_text(void *data, const char *text, size_t n)
 
 /* Puts "PT10H15M00S" into the sheet as 10:15. */
 static bool
-put_duration_as_time(struct sheets *grid, struct cell at, const char *value)
+put_ods_duration_as_time(struct sheets *grid, struct cell at, const char *value)
 {
 	int h, m, n = 0;
 	char text[32], second[8] = "";
@@ -259,7 +264,8 @@ copy_unit_after_number(const char *said, char unit[static 16])
 
 /* Puts a cell into the sheet.  Returns false if it is empty. */
 static bool
-put_cell_content(struct sheets *grid, struct cell at, const struct content *c)
+add_cell_content_to_grid(
+    struct sheets *grid, struct cell at, const struct content *c)
 {
 	double number;
 	char unit[16];
@@ -280,7 +286,7 @@ put_cell_content(struct sheets *grid, struct cell at, const struct content *c)
 	if (strcmp(type, "date") == 0 && c->value != NULL)
 		return put_date_without_zero_time(grid, at, c->value);
 	if (strcmp(type, "time") == 0 && c->value != NULL)
-		return put_duration_as_time(grid, at, c->value);
+		return put_ods_duration_as_time(grid, at, c->value);
 	if (strcmp(type, "boolean") == 0 && c->value != NULL)
 		return sheets_put_text(
 		    grid, at, strcmp(c->value, "true") == 0 ? "TRUE" : "FALSE");
@@ -312,28 +318,28 @@ ods_end_cell(struct reading *r)
 /* Puts a cell into a line as often as it is repeated.  Returns false if it is
  * empty. */
 static bool
-put_repeated_cell(const struct reading *r, const struct kept *kept, int line)
+add_repeated_cell(const struct reading *r, const struct kept *kept, int line)
 {
 	struct cell at = {.line = line, .column = kept->column};
 	for (size_t k = 0;
 	     k < kept->repeats && k < MOST_REPEATS && r->grid->too_big == NULL;
 	     k++, at.column++)
-		if (!put_cell_content(r->grid, at, &kept->content))
+		if (!add_cell_content_to_grid(r->grid, at, &kept->content))
 			return false;
 	return true;
 }
 
 static void
-put_repeated_row(struct reading *r)
+add_repeated_row(struct reading *r)
 {
 	size_t most = r->rows < MOST_REPEATS ? r->rows : MOST_REPEATS;
-	for (size_t line = 0;
-	     line < most && r->n_kept > 0 && r->visible &&
-	     r->grid->too_big == NULL && !error_should_stop(r->grid->errors);
+	for (size_t line = 0; line < most && r->n_kept > 0 && r->visible &&
+			      r->grid->too_big == NULL &&
+			      !error_is_stop_requested(r->grid->errors);
 	     line++) {
 		size_t n = 0;
 		for (size_t i = 0; i < r->n_kept; i++)
-			if (put_repeated_cell(
+			if (add_repeated_cell(
 				r, &r->kept[i], r->at.line + (int)line))
 				r->kept[n++] = r->kept[i];
 			else
@@ -361,7 +367,7 @@ ods_end_element(void *data, const char *name)
 		r->cell = 0;
 		ods_end_cell(r);
 	} else if (r->table > 0 && strcmp(name, "table-row") == 0) {
-		put_repeated_row(r);
+		add_repeated_row(r);
 	} else if (r->table > 0 && strcmp(name, "table") == 0) {
 		r->table = 0;
 		if (r->visible)
@@ -373,7 +379,7 @@ char *
 ods_read(struct archive *archive, struct sheets *grid)
 {
 	static const struct xml_events EVENTS = {
-	    ods_begin_element, ods_end_element, ods_add_text};
+	    ods_begin_element, ods_end_element, ods_append_cell_text};
 	struct reading r = {.grid = grid};
 	char *wrong = xml_parse_archive_part(
 	    archive, "content.xml", &EVENTS, &r, grid->errors);

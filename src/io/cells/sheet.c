@@ -38,7 +38,7 @@ static struct error *
 insert_fault_in_order(struct sheet *sheet, const struct error *e)
 {
 	struct error_list *list = sheet->errors;
-	struct error *slot = error_add(list);
+	struct error *slot = error_list_add_item(list);
 	size_t i = list->n - 1;
 	sheet->n_fault++;
 	if (list->more > 0 && !is_fault_later_in_file(&list->item[i], e))
@@ -49,7 +49,8 @@ insert_fault_in_order(struct sheet *sheet, const struct error *e)
 }
 
 bool
-sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
+sheet_report_fault(
+    struct sheet *sheet, struct cell where, const char *format, ...)
 {
 	struct error e;
 	va_list ap;
@@ -67,29 +68,29 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 }
 
 int
-sheet_bytes_to_show(const char *text)
+sheet_truncated_text_length(const char *text)
 {
-	return (int)text_bytes_within(text, SHOWN);
+	return (int)text_bytes_up_to_limit(text, SHOWN);
 }
 
 bool
-sheet_fault_expected(struct sheet *sheet, struct cell found, const char *wanted,
-    const char *hint, ...)
+sheet_report_expected(struct sheet *sheet, struct cell found,
+    const char *wanted, const char *hint, ...)
 {
 	va_list ap;
 	va_start(ap, hint);
 	FREED char *step =
 	    hint != NULL ? xvasprintf(tr(hint), ap) : xstrdup("");
 	va_end(ap);
-	int n = sheet_bytes_to_show(found.text);
+	int n = sheet_truncated_text_length(found.text);
 	bool cut = found.text[n] != '\0';
 	if (n == 0)
-		sheet_fault(sheet, found,
+		sheet_report_fault(sheet, found,
 		    "expected %s, got an empty cell\n"
 		    "%s",
 		    tr(wanted), step);
 	else
-		sheet_fault(sheet, found,
+		sheet_report_fault(sheet, found,
 		    "expected %s, got '%.*s%s'\n"
 		    "%s",
 		    tr(wanted), n, found.text, cut ? "..." : "", step);
@@ -125,7 +126,7 @@ move_to_next_character(struct cursor *c)
 }
 
 static void
-sheet_skip_blanks(struct cursor *c, char separator)
+sheet_skip_spaces_and_tabs(struct cursor *c, char separator)
 {
 	while ((*c->p == ' ' || *c->p == '\t') && *c->p != separator)
 		move_to_next_character(c);
@@ -135,7 +136,7 @@ sheet_skip_blanks(struct cursor *c, char separator)
  * was before that character.  A quote that follows a digit outside quotes means
  * inches, as in 3/4". */
 static bool
-is_in_quotes_after(const char *text, size_t i, bool before)
+is_in_quotes_after_char(const char *text, size_t i, bool before)
 {
 	bool inches = !before && i > 0 && isdigit((unsigned char)text[i - 1]);
 	return text[i] == '"' && !inches ? !before : before;
@@ -167,16 +168,16 @@ skip_to_end_of_cell(struct sheet *sheet, struct cursor *c, int line)
 	const char *first = c->p;
 	bool quoted = *c->p == '"';
 	if (quoted && !skip_quoted_text(c))
-		return sheet_fault(sheet, start,
+		return sheet_report_fault(sheet, start,
 		    "the quote is not closed at the end of the line\n"
 		    "close it on the same line; write a quote inside a cell as "
 		    "\"\"");
-	sheet_skip_blanks(c, sheet->separator);
+	sheet_skip_spaces_and_tabs(c, sheet->separator);
 	while (*c->p != '\0' && *c->p != sheet->separator) {
 		size_t at = (size_t)(c->p - first);
-		if (quoted || is_in_quotes_after(first, at, false)) {
+		if (quoted || is_in_quotes_after_char(first, at, false)) {
 			start.column = c->column;
-			return sheet_fault(sheet, start,
+			return sheet_report_fault(sheet, start,
 			    "%s\n"
 			    "quote the whole cell and write a quote inside it "
 			    "as \"\"",
@@ -216,7 +217,7 @@ split_line_into_cells(struct sheet *sheet, const char *text, struct row *row)
 {
 	struct cursor c = {text, 1};
 	while (row->n_all < MOST_CELLS) {
-		sheet_skip_blanks(&c, sheet->separator);
+		sheet_skip_spaces_and_tabs(&c, sheet->separator);
 		struct cursor from = c;
 		if (!skip_to_end_of_cell(sheet, &c, row->line))
 			return false;
@@ -227,7 +228,7 @@ split_line_into_cells(struct sheet *sheet, const char *text, struct row *row)
 		move_to_next_character(&c);
 	}
 	struct cell end = {.line = row->line, .column = c.column};
-	return sheet_fault(sheet, end,
+	return sheet_report_fault(sheet, end,
 	    "more than %d cells in a line\n"
 	    "a site file has a few columns: is this the right file?",
 	    MOST_CELLS);
@@ -256,7 +257,7 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 	struct cell start = {.line = number, .column = 1};
 	if (strlen(line) > sheet->most_line ||
 	    sheet->n_row == sheet->most.rows) {
-		sheet_fault(sheet, start,
+		sheet_report_fault(sheet, start,
 		    "more than %zu lines, or %zu bytes in a line\n"
 		    "a site file has a few kB: is this the right file?",
 		    sheet->most.rows, sheet->most_line);
@@ -276,7 +277,7 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 	sheet->wide = row->n_all > sheet->wide ? row->n_all : sheet->wide;
 	if (sheet->n_row <= cell_limit_of_sheet(sheet) / sheet->wide)
 		return true;
-	sheet_fault(sheet, start,
+	sheet_report_fault(sheet, start,
 	    "expected at most %zu cells, got %zu lines of up to %zu\n"
 	    "a site file has a few kB: is this the right file?",
 	    cell_limit_of_sheet(sheet), sheet->n_row, sheet->wide);
@@ -351,7 +352,7 @@ join_quoted_lines(char *text, int *ends)
 		if (end && !open)
 			break;
 		lines += end;
-		open = is_in_quotes_after(text, n, open);
+		open = is_in_quotes_after_char(text, n, open);
 	}
 	*ends = 0;
 	if (open || lines == MOST_LINES || n == first)
@@ -365,9 +366,10 @@ join_quoted_lines(char *text, int *ends)
 
 /* Splits a text into lines in place, ends each with a NUL, and adds them. */
 static void
-split_text_into_lines(struct sheet *sheet, char *text)
+add_text_lines_to_sheet(struct sheet *sheet, char *text)
 {
-	for (int number = 1; *text != '\0' && !error_should_stop(sheet->errors);
+	for (int number = 1;
+	     *text != '\0' && !error_is_stop_requested(sheet->errors);
 	     number++) {
 		int ends;
 		size_t n = join_quoted_lines(text, &ends);
@@ -403,7 +405,7 @@ has_sign_outside_quotes(const char *line, char sign)
 	bool quoted = false;
 	size_t n = strcspn(line, "\r\n");
 	for (size_t i = 0; i < n; i++) {
-		quoted = is_in_quotes_after(line, i, quoted);
+		quoted = is_in_quotes_after_char(line, i, quoted);
 		if (line[i] == sign && !quoted)
 			return true;
 	}
@@ -424,7 +426,7 @@ find_cell_separator(const char *text, struct error_list *errors)
 			continue;
 		if (*p == '#')
 			continue;
-		if (error_should_stop(errors))
+		if (error_is_stop_requested(errors))
 			break;
 		filled += strcspn(p, "\r\n") > strspn(p, " \t;,");
 		for (size_t i = 0; i < 3; i++) {
@@ -447,8 +449,8 @@ find_cell_separator(const char *text, struct error_list *errors)
 }
 
 static struct sheet *
-sheet_from_text(const char *path, char *text, struct sheet_limits most,
-    size_t most_line, struct error_list *errors)
+sheet_new_with_line_limit(const char *path, char *text,
+    struct sheet_limits most, size_t most_line, struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
 	sheet->path = xstrdup(path);
@@ -456,10 +458,10 @@ sheet_from_text(const char *path, char *text, struct sheet_limits most,
 	sheet->errors = errors;
 	sheet->most = most;
 	sheet->most_line = most_line;
-	sheet->separator = fixed_width_put_tabs(text)
+	sheet->separator = fixed_width_convert_to_tabs(text)
 			       ? '\t'
 			       : find_cell_separator(text, errors);
-	split_text_into_lines(sheet, text);
+	add_text_lines_to_sheet(sheet, text);
 	return sheet;
 }
 
@@ -467,7 +469,7 @@ struct sheet *
 sheet_new_from_text(const char *path, char *text, struct sheet_limits most,
     struct error_list *errors)
 {
-	return sheet_from_text(path, text, most, MOST_LINE, errors);
+	return sheet_new_with_line_limit(path, text, most, MOST_LINE, errors);
 }
 
 struct sheet *
@@ -478,7 +480,7 @@ sheet_new_without_line_limit(
 	for (const char *p = text; *p != '\0'; p++)
 		lines += *p == '\n' || *p == '\r';
 	struct sheet_limits most = {.rows = lines};
-	return sheet_from_text(path, text, most, length, errors);
+	return sheet_new_with_line_limit(path, text, most, length, errors);
 }
 
 struct sheet *
@@ -525,7 +527,7 @@ sheet_has_room_for_cell(const struct sheet *sheet, struct cell cell)
 
 /* Returns the row of a line; inserts one if there is none. */
 static struct row *
-find_or_insert_row(struct sheet *sheet, int line)
+find_or_insert_sheet_row(struct sheet *sheet, int line)
 {
 	size_t n = count_rows_to_line(sheet, line);
 	sheet->row = xgrow_by_one(sheet->row, sheet->n_row, sizeof *sheet->row);
@@ -538,9 +540,9 @@ find_or_insert_row(struct sheet *sheet, int line)
 }
 
 void
-sheet_put_cell(struct sheet *sheet, struct cell cell)
+sheet_set_cell(struct sheet *sheet, struct cell cell)
 {
-	struct row *row = find_or_insert_row(sheet, cell.line);
+	struct row *row = find_or_insert_sheet_row(sheet, cell.line);
 	size_t at = (size_t)cell.column - 1;
 	while (row->n_all <= at)
 		append_cell_to_row(row, xstrdup(""), row->end++);
@@ -564,7 +566,7 @@ is_remark_row(const struct row *row)
 }
 
 void
-sheet_finish_rows(struct sheet *sheet)
+sheet_separate_comment_rows(struct sheet *sheet)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < sheet->n_row; i++) {

@@ -102,13 +102,13 @@ struct sheet *sheet_new_without_line_limit(
     const char *path, char *text, struct error_list *errors);
 
 /* Make a sheet of a workbook.  Messages show its rows with tabs between cells.
- * sheet_put_cell adds a cell, in any order, and takes ownership of its text.
- * sheet_finish_rows completes the sheet after the last cell; rows that start
- * with # become comments only then. */
+ * sheet_set_cell adds a cell, in any order, and takes ownership of its text.
+ * sheet_separate_comment_rows completes the sheet after the last cell; rows
+ * that start with # become comments only then. */
 struct sheet *sheet_new_empty(const char *path, const char *name,
     struct sheet_limits most, struct error_list *errors);
-void sheet_put_cell(struct sheet *sheet, struct cell cell);
-void sheet_finish_rows(struct sheet *sheet);
+void sheet_set_cell(struct sheet *sheet, struct cell cell);
+void sheet_separate_comment_rows(struct sheet *sheet);
 
 /* True if adding the cell would not exceed the limits. */
 bool sheet_has_room_for_cell(const struct sheet *sheet, struct cell cell);
@@ -128,16 +128,16 @@ struct cell row_cell_at(const struct row *row, size_t i);
 /* Adds a fault of kind ERROR_DATA, with text and hint as for error_set.  The
  * faults of a file stay in the order of its lines, so the list keeps the first
  * faults of the file in whatever order they are found.  Returns false. */
-bool sheet_fault(struct sheet *sheet, struct cell where, const char *format,
-    ...) __attribute__((format(printf, 3, 4)));
+bool sheet_report_fault(struct sheet *sheet, struct cell where,
+    const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Returns the number of bytes of a text that a message shows, ending between
  * characters. */
-int sheet_bytes_to_show(const char *text);
+int sheet_truncated_text_length(const char *text);
 
 /* Adds the fault "expected WANTED, got 'CELL'", with a long cell cut short, and
  * the hint, unless that is NULL.  Returns false. */
-bool sheet_fault_expected(struct sheet *sheet, struct cell found,
+bool sheet_report_expected(struct sheet *sheet, struct cell found,
     const char *wanted, const char *hint, ...)
     __attribute__((format(printf, 4, 5)));
 

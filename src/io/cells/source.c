@@ -42,7 +42,8 @@ is_workbook_content(const char *bytes, size_t n)
 static bool
 refuse_workbook(const struct sheets *grid, const char *what, const char *step)
 {
-	return error_at(error_add(grid->errors), ERROR_DATA, grid->path, 0, 0,
+	return error_set_at(error_list_add_item(grid->errors), ERROR_DATA,
+	    grid->path, 0, 0,
 	    "%s\n"
 	    "%s",
 	    what, step);
@@ -110,7 +111,7 @@ read_archive_to_grid(struct archive *archive, struct sheets *grid)
 		    tr("save it without a password"));
 	FREED char *wrong =
 	    xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
-	sheets_note_omitted_count(grid);
+	sheets_note_omitted_remarks(grid);
 	if (wrong != NULL)
 		refuse_damaged_workbook(grid, wrong);
 	else if (grid->n == 0 && grid->note[0] != '\0')
@@ -157,7 +158,7 @@ read_workbook_to_source(const char *path, const char *bytes, size_t n,
 	source->sheet = grid.sheet;
 	source->note = grid.note;
 	for (size_t i = 0; i < source->n; i++)
-		number_choose_decimal_sign(source->sheet[i]);
+		number_detect_decimal_sign(source->sheet[i]);
 	return !errors->stopped;
 }
 
@@ -169,13 +170,13 @@ source_read_plain_text(const char *path, const char *bytes, size_t n,
 	source->text = textfile_decode(path, bytes, n, &note, errors);
 	if (source->text == NULL)
 		return false;
-	xreplace(&source->note, xstrdup(note));
+	xfree_and_set(&source->note, xstrdup(note));
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
 	    sheet_new_from_text(path, source->text, most, errors);
 	if (source->sheet[0]->too_large || errors->stopped)
 		return false;
-	number_choose_decimal_sign(source->sheet[0]);
+	number_detect_decimal_sign(source->sheet[0]);
 	return !errors->stopped;
 }
 
@@ -212,7 +213,7 @@ source_read_from_memory(const char *path, const char *text,
 }
 
 bool
-source_read_plant_log(
+source_read_plant_log_sheets(
     const char *path, struct error_list *errors, struct source *source)
 {
 	return source_read_within_limits(path, LOG, errors, source);

@@ -31,7 +31,7 @@ bool source_read_from_memory(const char *path, const char *text,
 
 /* As source_read_sheets, but for a plant's log, which may have many more lines.
  */
-bool source_read_plant_log(
+bool source_read_plant_log_sheets(
     const char *path, struct error_list *errors, struct source *source);
 void source_free(struct source *source);
 

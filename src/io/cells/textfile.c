@@ -20,7 +20,7 @@
 
 /* Returns the offset of the first control character, such as NUL, or n. */
 static size_t
-first_control_character(const char *text, size_t n)
+offset_of_control_character(const char *text, size_t n)
 {
 	size_t i = 0;
 	while (i < n && ((unsigned char)text[i] >= 0x20 ||
@@ -34,7 +34,7 @@ struct place {
 };
 
 static struct place
-textfile_line_of_offset(const char *text, size_t offset)
+textfile_line_and_column_at(const char *text, size_t offset)
 {
 	struct place place = {1, 1};
 	for (size_t i = 0; i < offset; i++) {
@@ -62,7 +62,7 @@ static char *
 refuse_large_file(
     const char *path, double bytes, size_t most, struct error_list *errors)
 {
-	error_at(error_add(errors), ERROR_DATA, path, 0, 0,
+	error_set_at(error_list_add_item(errors), ERROR_DATA, path, 0, 0,
 	    "expected at most %d MB, got %.1f MB\n"
 	    "a site file has a few kB: is this the right file?",
 	    (int)(most / 1000000), bytes / 1e6);
@@ -73,8 +73,9 @@ static char *
 refuse_invalid_text(const char *path, const char *text, size_t bad,
     const char *what, struct error_list *errors)
 {
-	struct place at = textfile_line_of_offset(text, bad);
-	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
+	struct place at = textfile_line_and_column_at(text, bad);
+	error_set_at(error_list_add_item(errors), ERROR_DATA, path, at.line,
+	    at.column,
 	    "%s\n"
 	    "save the spreadsheet as .xlsx, .ods or \"CSV UTF-8\"",
 	    tr(what));
@@ -90,7 +91,7 @@ textfile_decode(const char *path, const char *bytes, size_t n,
 		return refuse_invalid_text(path, bytes, 0,
 		    N_("expected text, got a workbook (.xlsx, .ods)"), errors);
 	struct decoded d = encoding_decode(bytes, n);
-	size_t control = first_control_character(d.text, d.n);
+	size_t control = offset_of_control_character(d.text, d.n);
 	char *text = NULL;
 	if (control < d.n)
 		refuse_invalid_text(path, d.text, control,
@@ -98,7 +99,8 @@ textfile_decode(const char *path, const char *bytes, size_t n,
 	else if (d.wrong != NULL)
 		refuse_invalid_text(path, d.text, d.bad, d.wrong, errors);
 	else if (textfile_is_blank(d.text, d.n))
-		error_at(error_add(errors), ERROR_DATA, path, 1, 1,
+		error_set_at(error_list_add_item(errors), ERROR_DATA, path, 1,
+		    1,
 		    "expected a site file, got an empty file\n"
 		    "see tipspeed-site(5) for what a site file contains");
 	else
@@ -151,7 +153,7 @@ report_unreadable_file(
 {
 	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
 	FREED char *hint = textfile_hint_if_unreadable(path);
-	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
+	error_set_at(error_list_add_item(errors), ERROR_SYSTEM, path, 0, 0,
 	    "cannot read: %s\n%s", why,
 	    several ? tr("name each file, or let the shell expand the "
 			 "pattern: tipspeed FOLDER/*.csv")
@@ -169,7 +171,7 @@ is_null_device(const struct stat *about)
 
 /* Returns true if there is something to read, or the end of the file. */
 static bool
-wait_for_input(int fd, const char **why)
+wait_until_pipe_is_readable(int fd, const char **why)
 {
 	enum { PATIENCE_MS = 60000 };
 	struct pollfd in = {.fd = fd, .events = POLLIN};
@@ -193,7 +195,7 @@ textfile_open(const char *path, const char **why)
 	}
 	*why = strerror(errno);
 	if (good && S_ISFIFO(about.st_mode))
-		good = wait_for_input(fd, why);
+		good = wait_until_pipe_is_readable(fd, why);
 	else if (good && !S_ISREG(about.st_mode) && !is_null_device(&about)) {
 		good = false;
 		*why = tr("expected a file or a pipe, got a device");
@@ -248,7 +250,7 @@ textfile_read(
 }
 
 char *
-textfile_join_lines(const char *const *line)
+textfile_join_built_in_lines(const char *const *line)
 {
 	char *text = xstrdup("");
 	for (; *line != NULL; line++)

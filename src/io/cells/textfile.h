@@ -41,6 +41,6 @@ char *textfile_read(
 
 /* Joins the lines of a file built into the program; a NULL ends the list.  The
  * caller frees the text. */
-char *textfile_join_lines(const char *const *line);
+char *textfile_join_built_in_lines(const char *const *line);
 
 #endif

@@ -47,7 +47,7 @@ struct book {
 static bool
 is_attribute_true(const char *const *attribute, const char *name)
 {
-	const char *value = xml_attribute(attribute, name);
+	const char *value = xml_attribute_value(attribute, name);
 	return value != NULL &&
 	       (strcmp(value, "1") == 0 || strcmp(value, "true") == 0);
 }
@@ -62,14 +62,14 @@ begin_workbook_element(
 		b->from_1904 = is_attribute_true(attribute, "date1904");
 	if (strcmp(name, "sheet") != 0)
 		return;
-	const char *title = xml_attribute(attribute, "name");
-	const char *id = xml_attribute(attribute, " id");
-	const char *state = xml_attribute(attribute, "state");
+	const char *title = xml_attribute_value(attribute, "name");
+	const char *id = xml_attribute_value(attribute, " id");
+	const char *state = xml_attribute_value(attribute, "state");
 	if (title == NULL || id == NULL)
 		return;
 	if (b->n_tab == MOST_TABS) {
 		if (b->more++ == 0)
-			sheets_note_more_sheets(b->grid, MOST_TABS);
+			sheets_note_too_many_sheets(b->grid, MOST_TABS);
 		return;
 	}
 	b->tab = xrealloc(b->tab, b->n_tab + 1, sizeof *b->tab);
@@ -84,9 +84,9 @@ static void
 read_sheet_relation(void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
-	const char *id = xml_attribute(attribute, "Id");
-	const char *type = xml_attribute(attribute, "Type");
-	const char *target = xml_attribute(attribute, "Target");
+	const char *id = xml_attribute_value(attribute, "Id");
+	const char *type = xml_attribute_value(attribute, "Type");
+	const char *target = xml_attribute_value(attribute, "Target");
 	if (strcmp(name, "Relationship") != 0 || id == NULL || type == NULL ||
 	    target == NULL || !text_ends_with(type, "/worksheet"))
 		return;
@@ -100,7 +100,8 @@ read_sheet_relation(void *data, const char *name, const char *const *attribute)
 /* xl/sharedStrings.xml: <si><t>..</t></si>, or runs <r><t> in several fonts.
  * <rPh> has the pronunciation of Japanese text. */
 static void
-begin_shared_string(void *data, const char *name, const char *const *attribute)
+begin_shared_string_element(
+    void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
 	(void)attribute;
@@ -114,7 +115,7 @@ begin_shared_string(void *data, const char *name, const char *const *attribute)
 }
 
 static void
-end_shared_string(void *data, const char *name)
+end_shared_string_element(void *data, const char *name)
 {
 	struct book *b = data;
 	b->in_text = false;
@@ -124,7 +125,7 @@ end_shared_string(void *data, const char *name)
 }
 
 static void
-append_shared_string(void *data, const char *text, size_t n)
+append_shared_string_text(void *data, const char *text, size_t n)
 {
 	struct book *b = data;
 	if (b->in_text && b->phonetic == 0)
@@ -133,7 +134,7 @@ append_shared_string(void *data, const char *text, size_t n)
 
 /* xl/styles.xml: <numFmt numFmtId formatCode>, then <cellXfs><xf numFmtId>. */
 static struct cell_format
-format_of_style(const struct book *b, unsigned id)
+cell_format_of_format_id(const struct book *b, unsigned id)
 {
 	for (size_t i = 0; i < b->n_code; i++)
 		if (b->code[i].id == id)
@@ -142,12 +143,13 @@ format_of_style(const struct book *b, unsigned id)
 }
 
 static void
-xlsx_begin_style(void *data, const char *name, const char *const *attribute)
+xlsx_begin_style_element(
+    void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
 	unsigned id =
 	    (unsigned)xml_attribute_as_integer(attribute, "numFmtId", 0);
-	const char *code = xml_attribute(attribute, "formatCode");
+	const char *code = xml_attribute_value(attribute, "formatCode");
 	b->in_styles = b->in_styles || strcmp(name, "cellXfs") == 0;
 	if (strcmp(name, "numFmt") == 0 && code != NULL && b->n_code < 1000) {
 		b->code = xrealloc(b->code, b->n_code + 1, sizeof *b->code);
@@ -158,11 +160,11 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 	    b->n_style == MOST_FORMATS)
 		return;
 	b->style = xgrow_by_one(b->style, b->n_style, sizeof *b->style);
-	b->style[b->n_style++] = format_of_style(b, id);
+	b->style[b->n_style++] = cell_format_of_format_id(b, id);
 }
 
 static void
-xlsx_end_style(void *data, const char *name)
+xlsx_end_style_element(void *data, const char *name)
 {
 	struct book *b = data;
 	b->in_styles = b->in_styles && strcmp(name, "cellXfs") != 0;
@@ -186,8 +188,8 @@ struct reading {
 static void
 xlsx_read_cell_start(struct reading *r, const char *const *attribute)
 {
-	const char *place = xml_attribute(attribute, "r");
-	const char *type = xml_attribute(attribute, "t");
+	const char *place = xml_attribute_value(attribute, "r");
+	const char *type = xml_attribute_value(attribute, "t");
 	struct cell at = r->at;
 	const char *end = place != NULL ? sheet_parse_cell_address(
 					      place, &at.column, &at.line)
@@ -242,7 +244,7 @@ begin_sheet_element(void *data, const char *name, const char *const *attribute)
 }
 
 static void
-append_sheet_text(void *data, const char *text, size_t n)
+append_sheet_cell_text(void *data, const char *text, size_t n)
 {
 	struct reading *r = data;
 	if (r->in == IN_VALUE || r->in == IN_TEXT)
@@ -275,7 +277,7 @@ xlsx_put_unescaped_text(struct reading *r, const char *text)
 }
 
 static void
-xlsx_read_number(struct reading *r)
+xlsx_read_number_or_date(struct reading *r)
 {
 	const struct book *b = r->book;
 	double value;
@@ -294,7 +296,7 @@ xlsx_read_number(struct reading *r)
 }
 
 static void
-put_shared_string(struct reading *r)
+put_shared_string_in_sheet(struct reading *r)
 {
 	const struct book *b = r->book;
 	uint64_t i;
@@ -308,7 +310,7 @@ put_shared_string(struct reading *r)
 /* Puts an ISO date, as strict workbooks have, into the sheet; at midnight
  * without its time. */
 static void
-xlsx_put_iso_date(struct reading *r)
+xlsx_read_iso_date(struct reading *r)
 {
 	char *t = strchr(r->value.text, 'T');
 	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
@@ -327,14 +329,14 @@ xlsx_put_cell(struct reading *r)
 	else if (!r->has_value || empty)
 		return;
 	else if (strcmp(r->type, "s") == 0)
-		put_shared_string(r);
+		put_shared_string_in_sheet(r);
 	else if (strcmp(r->type, "b") == 0)
 		xlsx_put_unescaped_text(
 		    r, strcmp(r->value.text, "1") == 0 ? "TRUE" : "FALSE");
 	else if (strcmp(r->type, "d") == 0)
-		xlsx_put_iso_date(r);
+		xlsx_read_iso_date(r);
 	else if (strcmp(r->type, "n") == 0)
-		xlsx_read_number(r);
+		xlsx_read_number_or_date(r);
 	else
 		xlsx_put_unescaped_text(r, r->value.text);
 }
@@ -356,7 +358,7 @@ static char *
 xlsx_read_sheet(struct book *b, const struct tab *tab)
 {
 	static const struct xml_events EVENTS = {
-	    begin_sheet_element, end_sheet_element, append_sheet_text};
+	    begin_sheet_element, end_sheet_element, append_sheet_cell_text};
 	struct reading r = {.book = b};
 	sheets_begin_sheet(b->grid, tab->name);
 	char *wrong = xml_parse_archive_part(
@@ -378,8 +380,8 @@ read_visible_sheets(struct book *b)
 	for (size_t i = 0; i < b->n_tab && wrong == NULL; i++) {
 		const struct tab *tab = &b->tab[i];
 		if (tab->part != NULL && tab->hidden)
-			sheets_note(b->grid, "sheet %s is hidden and not read",
-			    tab->name);
+			sheets_add_note(b->grid,
+			    "sheet %s is hidden and not read", tab->name);
 		else if (tab->part != NULL)
 			wrong = xlsx_read_sheet(b, tab);
 	}
@@ -394,8 +396,10 @@ static const struct {
 } PARTS[] = {{"xl/workbook.xml", false, {.begin = begin_workbook_element}},
     {"xl/_rels/workbook.xml.rels", false, {.begin = read_sheet_relation}},
     {"xl/sharedStrings.xml", true,
-	{begin_shared_string, end_shared_string, append_shared_string}},
-    {"xl/styles.xml", true, {xlsx_begin_style, xlsx_end_style, NULL}}};
+	{begin_shared_string_element, end_shared_string_element,
+	    append_shared_string_text}},
+    {"xl/styles.xml", true,
+	{xlsx_begin_style_element, xlsx_end_style_element, NULL}}};
 
 char *
 xlsx_read(struct archive *archive, struct sheets *grid)

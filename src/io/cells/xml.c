@@ -42,7 +42,7 @@ static void
 stop_parsing_if_interrupted(struct reading *r)
 {
 	if (r->wrong == NULL && ++r->n % OFTEN == 0 &&
-	    error_should_stop(r->errors))
+	    error_is_stop_requested(r->errors))
 		xml_stop_with_fault(r, tr("interrupted"));
 }
 
@@ -174,7 +174,7 @@ xml_parse_archive_part(struct archive *archive, const char *name,
 }
 
 const char *
-xml_attribute(const char *const *attribute, const char *name)
+xml_attribute_value(const char *const *attribute, const char *name)
 {
 	bool spaced = strchr(name, ' ') != NULL;
 	for (; attribute[0] != NULL; attribute += 2) {
@@ -194,7 +194,7 @@ xml_attribute_as_integer(
 {
 	enum { MOST = 2000000 };
 	uint64_t whole;
-	const char *text = xml_attribute(attribute, name);
+	const char *text = xml_attribute_value(attribute, name);
 	if (text == NULL || !text_parse_whole_number(text, &whole))
 		return other;
 	return whole < MOST ? (size_t)whole : MOST;

@@ -23,8 +23,8 @@ struct xml_events {
  * description of the fault, which the caller frees: the document is not
  * well-formed, nests elements more than 100 deep, has more than 1000 attributes
  * on an element or a namespace of more than 200 bytes, or has a document type,
- * because entities could expand without limit; or error_should_stop(errors)
- * became true. */
+ * because entities could expand without limit; or
+ * error_is_stop_requested(errors) became true. */
 char *xml_parse_document(const char *bytes, size_t n,
     const struct xml_events *events, void *data, struct error_list *errors);
 
@@ -36,7 +36,7 @@ char *xml_parse_archive_part(struct archive *archive, const char *name,
 /* Returns the value of an attribute, or NULL.  name: "r" for one without a
  * namespace, or "office:1.0 value", where "office:1.0" is the end of the
  * namespace. */
-const char *xml_attribute(const char *const *attribute, const char *name);
+const char *xml_attribute_value(const char *const *attribute, const char *name);
 
 /* Returns an attribute as a whole number, or `other` if it is missing or not a
  * whole number.  A number above two million, more rows than any spreadsheet

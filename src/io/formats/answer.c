@@ -19,7 +19,7 @@
 /* The columns of a terminal, less one for its edge. */
 enum { SCREEN = 79 };
 
-/* spare [n_column]: see answer_optional_column. */
+/* spare [n_column]: see answer_add_optional_column. */
 struct table {
 	size_t n_column, n_cell;
 	char **key, **head;
@@ -106,17 +106,17 @@ answer_free(struct answer *a)
 }
 
 const char *
-answer_command(const struct answer *a)
+answer_command_name(const struct answer *a)
 {
 	return a->command;
 }
 
 void
-answer_title(struct answer *a, const char *format, ...)
+answer_set_title(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	xreplace(&a->title, xvasprintf(tr(format), ap));
+	xfree_and_set(&a->title, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
@@ -148,7 +148,8 @@ answer_resume_table_for_people(struct answer *a)
 }
 
 static void
-add_column(struct answer *a, const char *key, const char *head, int spare)
+append_answer_column(
+    struct answer *a, const char *key, const char *head, int spare)
 {
 	struct table *t = a->filled;
 	size_t n = t->n_column++;
@@ -161,20 +162,20 @@ add_column(struct answer *a, const char *key, const char *head, int spare)
 }
 
 void
-answer_column(struct answer *a, const char *key, const char *head)
+answer_add_column(struct answer *a, const char *key, const char *head)
 {
-	add_column(a, key, tr(head), 0);
+	append_answer_column(a, key, tr(head), 0);
 }
 
 void
-answer_optional_column(
+answer_add_optional_column(
     struct answer *a, const char *key, const char *head, int spare)
 {
-	add_column(a, key, head, spare);
+	append_answer_column(a, key, head, spare);
 }
 
 void
-answer_columns(struct answer *a, const char *format, ...)
+answer_add_columns(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
@@ -186,7 +187,7 @@ answer_columns(struct answer *a, const char *format, ...)
 		if (colon != NULL)
 			*colon = '\0';
 		key = text_trim(key);
-		answer_column(
+		answer_add_column(
 		    a, key, colon != NULL ? text_trim(colon + 1) : key);
 	}
 	free(list);
@@ -201,14 +202,14 @@ answer_add_cell(struct answer *a, struct answer_cell cell)
 }
 
 static void
-add_text_cell(struct answer *a, char *text)
+add_text_cell_to_answer(struct answer *a, char *text)
 {
 	answer_add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
 }
 
 /* decimals: -1 for as many digits as needed; sign: print + too. */
 static void
-answer_add_number(struct answer *a, double value, int decimals, bool sign)
+answer_add_number_cell(struct answer *a, double value, int decimals, bool sign)
 {
 	char *text;
 	if (!isfinite(value))
@@ -235,47 +236,48 @@ answer_add_cells(struct answer *a, const char *format, ...)
 		p += sign;
 		assert(p[1] == 's' || p[1] == '.' || p[1] == 'g');
 		if (p[1] == 's') {
-			add_text_cell(a, xstrdup(va_arg(ap, char *)));
+			add_text_cell_to_answer(a, xstrdup(va_arg(ap, char *)));
 			continue;
 		}
 		int decimals = p[1] != '.'   ? -1
 			       : p[2] == '*' ? va_arg(ap, int)
 					     : atoi(p + 2);
-		answer_add_number(a, va_arg(ap, double), decimals, sign);
+		answer_add_number_cell(a, va_arg(ap, double), decimals, sign);
 	}
 	va_end(ap);
 }
 
 void
-answer_text(struct answer *a, const char *format, ...)
+answer_add_text_cell(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_text_cell(a, xvasprintf(tr(format), ap));
+	add_text_cell_to_answer(a, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
 void
-answer_name(struct answer *a, const char *key, const char *head)
+answer_add_keyed_cell(struct answer *a, const char *key, const char *head)
 {
 	answer_add_cell(a, (struct answer_cell){
 			       true, NAN, -1, xstrdup(tr(head)), xstrdup(key)});
 }
 
 void
-answer_add_pair(struct answer *a, const char *name, const char *format, ...)
+answer_add_name_value_row(
+    struct answer *a, const char *name, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_text_cell(a, xstrdup(tr(name)));
-	add_text_cell(a, xvasprintf(tr(format), ap));
+	add_text_cell_to_answer(a, xstrdup(tr(name)));
+	add_text_cell_to_answer(a, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
 void
-answer_set_missing(struct answer *a, const char *words)
+answer_set_missing_text(struct answer *a, const char *words)
 {
-	xreplace(&a->missing, xstrdup(tr(words)));
+	xfree_and_set(&a->missing, xstrdup(tr(words)));
 }
 
 static size_t
@@ -292,7 +294,7 @@ answer_count_rows(const struct answer *a)
 
 /* Adds a sentence, which takes ownership of the text. */
 static void
-add_sentence(struct answer *a, enum answer_grade grade, char *text)
+add_sentence_to_answer(struct answer *a, enum answer_grade grade, char *text)
 {
 	a->sentence =
 	    xrealloc(a->sentence, a->n_sentence + 1, sizeof *a->sentence);
@@ -305,31 +307,33 @@ answer_note(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_sentence(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
+	add_sentence_to_answer(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
 void
-answer_note_column(struct answer *a, const char *name, const char *format, ...)
+answer_note_on_column(
+    struct answer *a, const char *name, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_sentence(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
+	add_sentence_to_answer(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
 	a->sentence[a->n_sentence - 1].column = xstrdup(name);
 	va_end(ap);
 }
 
 void
-answer_say(struct answer *a, enum answer_grade grade, const char *format, ...)
+answer_add_sentence(
+    struct answer *a, enum answer_grade grade, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_sentence(a, grade, xvasprintf(tr(format), ap));
+	add_sentence_to_answer(a, grade, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
 struct fields *
-answer_fields(struct answer *a)
+answer_json_fields(struct answer *a)
 {
 	return (struct fields *)(void *)a->fields;
 }
@@ -337,7 +341,7 @@ answer_fields(struct answer *a)
 /* Puts a value, of which it takes ownership, into an object or a list.  key:
  * NULL for a list. */
 static struct fields *
-put_json_value(struct fields *fields, const char *key, json_t *value)
+add_json_value(struct fields *fields, const char *key, json_t *value)
 {
 	json_t *in = (json_t *)(void *)fields;
 	if (key == NULL)
@@ -394,7 +398,7 @@ fields_put_values(struct fields *fields, const char *format, ...)
 	     word = strtok_r(NULL, " ", &save)) {
 		const char *key = word[0] != '%' ? word : NULL;
 		word = key != NULL ? strtok_r(NULL, " ", &save) : word;
-		put_json_value(fields, key, json_of_next_argument(word, &ap));
+		add_json_value(fields, key, json_of_next_argument(word, &ap));
 	}
 	free(copy);
 	va_end(ap);
@@ -403,19 +407,19 @@ fields_put_values(struct fields *fields, const char *format, ...)
 void
 fields_put_number(struct fields *fields, const char *key, double value)
 {
-	put_json_value(fields, key, json_of_number(value));
+	add_json_value(fields, key, json_of_number(value));
 }
 
 struct fields *
 fields_add_object(struct fields *fields, const char *key)
 {
-	return put_json_value(fields, key, json_object());
+	return add_json_value(fields, key, json_object());
 }
 
 struct fields *
 fields_add_list(struct fields *fields, const char *key)
 {
-	return put_json_value(fields, key, json_array());
+	return add_json_value(fields, key, json_array());
 }
 
 void
@@ -429,11 +433,11 @@ fields_put_numbers(struct fields *fields, const char *key, const double *value,
 }
 
 static void
-add_cell_as_field(
+add_cell_as_json_field(
     struct fields *fields, const char *key, const struct answer_cell *cell)
 {
 	const char *text = cell->key != NULL ? cell->key : cell->text;
-	put_json_value(fields, key,
+	add_json_value(fields, key,
 	    cell->is_text ? json_of_text(text) : json_of_number(cell->number));
 }
 
@@ -445,19 +449,19 @@ fields_add_table_rows(
 	for (size_t row = 0; row < count_table_rows(t); row++) {
 		struct fields *object = fields_add_object(list, NULL);
 		for (size_t c = 0; c < t->n_column; c++)
-			add_cell_as_field(
+			add_cell_as_json_field(
 			    object, t->key[c], &t->cell[row * t->n_column + c]);
 	}
 }
 
 void
-answer_put_rows_as_objects(struct answer *a, const char *key)
+answer_add_rows_as_json_objects(struct answer *a, const char *key)
 {
-	fields_add_table_rows(answer_fields(a), key, a->filled);
+	fields_add_table_rows(answer_json_fields(a), key, a->filled);
 }
 
 void
-answer_put_columns_as_lists(struct answer *a, const char *keys)
+answer_add_columns_to_json_fields(struct answer *a, const char *keys)
 {
 	const struct table *t = a->filled;
 	size_t which;
@@ -465,9 +469,9 @@ answer_put_columns_as_lists(struct answer *a, const char *keys)
 		if (!text_find_word_in_list(keys, t->key[c], &which))
 			continue;
 		struct fields *list =
-		    fields_add_list(answer_fields(a), t->key[c]);
+		    fields_add_list(answer_json_fields(a), t->key[c]);
 		for (size_t i = c; i < t->n_cell; i += t->n_column)
-			add_cell_as_field(list, NULL, &t->cell[i]);
+			add_cell_as_json_field(list, NULL, &t->cell[i]);
 	}
 }
 
@@ -486,7 +490,7 @@ answer_drop_table_for_programs(struct answer *a)
 }
 
 bool
-answer_has_fields(const struct answer *a)
+answer_has_json_fields(const struct answer *a)
 {
 	return json_object_size(a->fields) > 0;
 }
@@ -494,7 +498,7 @@ answer_has_fields(const struct answer *a)
 /* Returns the member whose key is the first n characters, also one that json
  * does not print, ".key"; NULL if there is none. */
 static const json_t *
-member_of_object(const json_t *in, const char *name, size_t n)
+find_json_member(const json_t *in, const char *name, size_t n)
 {
 	FREED char *key = xstrndup(name, n), *hidden = xasprintf(".%s", key);
 	const json_t *item = json_object_get(in, key);
@@ -504,13 +508,14 @@ member_of_object(const json_t *in, const char *name, size_t n)
 /* Finds the largest number at a path.  The items of a list are found under the
  * name of the list. */
 static void
-find_number_at_path(const json_t *in, const char *path, double *value)
+find_max_json_number_at_path(const json_t *in, const char *path, double *value)
 {
 	size_t n = strcspn(path, ".");
 	for (size_t i = 0; i < json_array_size(in); i++)
-		find_number_at_path(json_array_get(in, i), path, value);
+		find_max_json_number_at_path(
+		    json_array_get(in, i), path, value);
 	if (json_is_object(in)) {
-		find_number_at_path(member_of_object(in, path, n),
+		find_max_json_number_at_path(find_json_member(in, path, n),
 		    path + n + (path[n] == '.'), value);
 	} else if (*path == '\0' && json_is_boolean(in)) {
 		*value = fmax(*value, json_is_true(in));
@@ -520,24 +525,24 @@ find_number_at_path(const json_t *in, const char *path, double *value)
 }
 
 double
-answer_find_number(const struct answer *a, const char *path)
+answer_find_json_number(const struct answer *a, const char *path)
 {
 	double value = NAN;
 	if (strcmp(path, "warnings") == 0 && a->n_sentence > 0)
 		value = 0;
 	for (size_t i = 0; i < a->n_sentence && !isnan(value); i++)
 		value += a->sentence[i].grade == ANSWER_WARNING;
-	find_number_at_path(a->fields, path, &value);
+	find_max_json_number_at_path(a->fields, path, &value);
 	return value;
 }
 
 const char *
-answer_find_text(const struct answer *a, const char *path)
+answer_find_json_text(const struct answer *a, const char *path)
 {
 	const json_t *in = a->fields;
 	for (; *path != '\0'; path += *path == '.') {
 		size_t n = strcspn(path, ".");
-		in = member_of_object(in, path, n);
+		in = find_json_member(in, path, n);
 		path += n;
 	}
 	return json_string_value(in);
@@ -568,7 +573,7 @@ answer_view(const struct answer *a)
 
 /* True if there is no table, so that the sentences are the answer. */
 static bool
-is_sentences_only(const struct answer *a)
+has_answer_only_sentences(const struct answer *a)
 {
 	return table_for_programs(a)->n_column == 0 && a->n_sentence > 0;
 }
@@ -576,7 +581,7 @@ is_sentences_only(const struct answer *a)
 /* Returns the length of the provenance's first clause, which states the kind of
  * data; the rest says how they were made. */
 static size_t
-length_of_first_clause(const char *provenance)
+length_of_provenance_kind(const char *provenance)
 {
 	return strcspn(provenance, ";");
 }
@@ -601,14 +606,14 @@ print_csv_command_and_site(
 	if (a->site == NULL)
 		return;
 	FREED char *kind =
-	    xstrndup(a->provenance, length_of_first_clause(a->provenance));
+	    xstrndup(a->provenance, length_of_provenance_kind(a->provenance));
 	const char *cell[] = {a->site, kind};
 	const char *const key[] = {"site", "provenance"};
 	for (size_t i = 0; i < ARRAY_LEN(key); i++) {
 		if (table_has_column(t, key[i]))
 			continue;
 		fputc(separator, out);
-		text_write_sheet_cell(names ? key[i] : cell[i], separator, out);
+		text_write_csv_cell(names ? key[i] : cell[i], separator, out);
 	}
 }
 
@@ -616,7 +621,7 @@ static void
 print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
 {
 	if (cell->is_text)
-		text_write_sheet_cell(
+		text_write_csv_cell(
 		    cell->key != NULL ? cell->key : cell->text, separator, out);
 	else if (isfinite(cell->number))
 		text_write_csv_number(cell->number, separator, out);
@@ -632,14 +637,14 @@ print_csv_repeated_fields(
 	for (char *key = strtok_r(keys, " ", &save); key != NULL;
 	     key = strtok_r(NULL, " ", &save)) {
 		const json_t *item =
-		    member_of_object(a->fields, key, strlen(key));
+		    find_json_member(a->fields, key, strlen(key));
 		if (item == NULL)
 			continue;
 		fputc(separator, out);
 		if (names)
 			fputs(key, out);
 		else if (json_is_string(item))
-			text_write_sheet_cell(
+			text_write_csv_cell(
 			    json_string_value(item), separator, out);
 		else if (json_is_number(item))
 			text_write_csv_number(
@@ -652,7 +657,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 {
 	const char separator = semicolon ? ';' : ',';
 	const struct table *t = table_for_programs(a);
-	bool told = is_sentences_only(a);
+	bool told = has_answer_only_sentences(a);
 	size_t rows = told ? a->n_sentence : count_table_rows(t);
 	if (t->n_column == 0 && !told)
 		return 0;
@@ -673,7 +678,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 		print_csv_repeated_fields(a, false, separator, out);
 		if (told) {
 			fputc(separator, out);
-			text_write_sheet_cell(
+			text_write_csv_cell(
 			    a->sentence[row].text, separator, out);
 		}
 		fputc('\n', out);
@@ -683,7 +688,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 
 /* Returns a copy without values whose keys begin with a dot. */
 static json_t *
-json_without_hidden(json_t *in)
+copy_json_without_hidden_keys(json_t *in)
 {
 	const char *key;
 	json_t *value, *copy;
@@ -691,7 +696,8 @@ json_without_hidden(json_t *in)
 		copy = json_array();
 		for (size_t i = 0; i < json_array_size(in); i++)
 			json_array_append_new(
-			    copy, json_without_hidden(json_array_get(in, i)));
+			    copy, copy_json_without_hidden_keys(
+				      json_array_get(in, i)));
 		return copy;
 	}
 	if (!json_is_object(in))
@@ -701,7 +707,7 @@ json_without_hidden(json_t *in)
 	{
 		if (key[0] != '.')
 			json_object_set_new(
-			    copy, key, json_without_hidden(value));
+			    copy, key, copy_json_without_hidden_keys(value));
 	}
 	return copy;
 }
@@ -711,18 +717,19 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	const struct table *t = table_for_programs(a);
-	json_t *o = json_object(), *own = json_without_hidden(a->fields);
+	json_t *o = json_object(),
+	       *own = copy_json_without_hidden_keys(a->fields);
 	struct fields *all = (struct fields *)(void *)o;
 	fields_put_values(all, "command %s", a->command);
 	if (a->site != NULL && !a->names_sites)
 		fields_put_values(all, "site %s", a->site);
 	json_object_update(o, own);
 	json_decref(own);
-	if (is_sentences_only(a)) {
+	if (has_answer_only_sentences(a)) {
 		struct fields *list = fields_add_list(all, "sentences");
 		for (size_t i = 0; i < a->n_sentence; i++)
 			fields_put_values(list, "%s", a->sentence[i].text);
-	} else if (!answer_has_fields(a)) {
+	} else if (!answer_has_json_fields(a)) {
 		fields_add_table_rows(all, "rows", t);
 	}
 	if (a->provenance != NULL)
@@ -776,7 +783,7 @@ print_padded_text(const char *text, int width, bool right, bool last, FILE *out)
 }
 
 static bool
-rows_begin_alike(
+do_rows_begin_alike(
     const struct table *t, size_t row, size_t other, size_t columns)
 {
 	for (size_t c = 0; c < columns; c++)
@@ -794,7 +801,8 @@ count_key_columns(const struct table *t, const struct form *f)
 	size_t n = 1;
 	int width = 0;
 	for (size_t row = 1; row < count_table_rows(t); row++)
-		while (n < t->n_column && rows_begin_alike(t, row - 1, row, n))
+		while (
+		    n < t->n_column && do_rows_begin_alike(t, row - 1, row, n))
 			n++;
 	for (size_t c = 0; c < n; c++)
 		width += f->width[c] + f->gap;
@@ -823,7 +831,7 @@ lay_out_table_columns(const struct table *t, int room)
 }
 
 static void
-free_form(struct form *f)
+free_table_layout(struct form *f)
 {
 	free(f->width);
 	free(f->number);
@@ -857,7 +865,7 @@ next_column_of_block(const struct form *f, struct block b, size_t column)
 /* Returns a block of as many columns as fit the screen.  If the table wraps its
  * last column, all of them do. */
 static struct block
-columns_that_fit_screen(
+find_columns_fitting_screen(
     const struct table *t, const struct form *f, size_t from)
 {
 	int width = 2;
@@ -933,7 +941,7 @@ print_trimmed_row(const struct table *t, const struct form *f, size_t row,
 
 /* Returns false if a sentence is about a column that was left out. */
 static bool
-is_about_what_is_shown(
+is_sentence_on_shown_column(
     const struct table *t, const struct answer_sentence *said)
 {
 	bool shown = said->column == NULL;
@@ -949,28 +957,29 @@ copy_converted_sentences(char *(*way)(const char *), const struct answer *a,
 	for (size_t i = 0; i < a->n_sentence; i++) {
 		const struct answer_sentence *said = &a->sentence[i];
 		if ((said->grade == ANSWER_WARNING) != warnings ||
-		    !is_about_what_is_shown(&copy->table[0], said))
+		    !is_sentence_on_shown_column(&copy->table[0], said))
 			continue;
 		FREED char *text = xasprintf("%s%s%s",
-		    !warnings              ? ""
-		    : is_sentences_only(a) ? tr("Warning: ")
-					   : tr("warning: "),
-		    said->text, is_sentences_only(a) ? "." : "");
-		add_sentence(copy, said->grade, way(text));
+		    !warnings                      ? ""
+		    : has_answer_only_sentences(a) ? tr("Warning: ")
+						   : tr("warning: "),
+		    said->text, has_answer_only_sentences(a) ? "." : "");
+		add_sentence_to_answer(copy, said->grade, way(text));
 	}
 }
 
 /* Copies the columns that are shown (all if `shown` is NULL), and adds a
  * sentence that names the others. */
 static void
-copy_columns(char *(*way)(const char *), const struct table *from,
+copy_shown_columns(char *(*way)(const char *), const struct table *from,
     const bool *shown, struct answer *copy)
 {
 	FREED char *left_out = xstrdup("");
 	for (size_t c = 0; c < from->n_column; c++) {
 		FREED char *head = way(from->head[c]);
 		if (shown == NULL || shown[c])
-			add_column(copy, from->key[c], head, from->spare[c]);
+			append_answer_column(
+			    copy, from->key[c], head, from->spare[c]);
 		else
 			xappend_to_list(&left_out, ", ", "%s", head);
 	}
@@ -986,20 +995,20 @@ copy_columns(char *(*way)(const char *), const struct table *from,
 
 /* Returns a copy with what people see, all texts converted by `way`: to what a
  * screen shows, or to markdown.  Only the first clause of the provenance is
- * included.  shown: see copy_columns. */
+ * included.  shown: see copy_shown_columns. */
 static struct answer *
-copy_with_converted_texts(
+copy_answer_converting_texts(
     char *(*way)(const char *), const struct answer *a, const bool *shown)
 {
 	struct answer *copy = answer_new(a->command);
 	copy->title = a->title != NULL ? way(a->title) : NULL;
 	if (a->provenance != NULL && a->provenance[0] != '\0') {
 		FREED char *first = xstrndup(
-		    a->provenance, length_of_first_clause(a->provenance));
-		FREED char *words = site_provenance_in_words(first);
+		    a->provenance, length_of_provenance_kind(a->provenance));
+		FREED char *words = site_translate_provenance(first);
 		copy->provenance = way(words);
 	}
-	copy_columns(way, &a->table[0], shown, copy);
+	copy_shown_columns(way, &a->table[0], shown, copy);
 	copy->across = a->across;
 	copy_converted_sentences(way, a, true, copy);
 	copy_converted_sentences(way, a, false, copy);
@@ -1009,7 +1018,7 @@ copy_with_converted_texts(
 struct answer *
 answer_copy_escaped(const struct answer *a)
 {
-	return copy_with_converted_texts(text_with_control_escaped, a, NULL);
+	return copy_answer_converting_texts(text_with_control_escaped, a, NULL);
 }
 
 /* Turns the first column into the headings, and the headings into the first
@@ -1020,12 +1029,12 @@ answer_transpose(struct answer *a)
 	struct table from = a->table[0];
 	a->table[0] = (struct table){0};
 	size_t rows = count_table_rows(&from);
-	answer_column(a, from.key[0], from.head[0]);
+	answer_add_column(a, from.key[0], from.head[0]);
 	for (size_t row = 0; row < rows; row++)
-		answer_column(
+		answer_add_column(
 		    a, from.key[0], from.cell[row * from.n_column].text);
 	for (size_t c = 1; c < from.n_column; c++) {
-		add_text_cell(a, xstrdup(from.head[c]));
+		add_text_cell_to_answer(a, xstrdup(from.head[c]));
 		for (size_t row = 0; row < rows; row++) {
 			struct answer_cell cell =
 			    from.cell[row * from.n_column + c];
@@ -1040,7 +1049,7 @@ answer_transpose(struct answer *a)
  * and do not fit into *room, which is enlarged if the others need more.  The
  * caller frees it. */
 static bool *
-choose_columns(const struct table *t, int *room)
+choose_columns_to_show(const struct table *t, int *room)
 {
 	enum { GAP = 2 };
 	bool *shown = xcalloc(t->n_column + 1, sizeof *shown);
@@ -1064,9 +1073,9 @@ print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	int room = answer->room;
-	FREED bool *shown = choose_columns(&answer->table[0], &room);
-	struct answer *a =
-	    copy_with_converted_texts(text_with_control_escaped, answer, shown);
+	FREED bool *shown = choose_columns_to_show(&answer->table[0], &room);
+	struct answer *a = copy_answer_converting_texts(
+	    text_with_control_escaped, answer, shown);
 	const struct table *t = &a->table[0];
 	bool turned = a->across && count_table_rows(t) > t->n_column;
 	if (turned)
@@ -1081,7 +1090,7 @@ print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
 	while (rows > 0) {
-		struct block block = columns_that_fit_screen(t, &f, from);
+		struct block block = find_columns_fitting_screen(t, &f, from);
 		for (size_t row = 0; row <= rows; row++)
 			print_trimmed_row(t, &f, row, block, out);
 		from = block.to;
@@ -1089,7 +1098,7 @@ print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 			break;
 		fputc('\n', out);
 	}
-	free_form(&f);
+	free_table_layout(&f);
 	for (size_t i = 0; i < a->n_sentence; i++)
 		text_print_wrapped(a->sentence[i].text, 0, SCREEN, out);
 	answer_free(a);
@@ -1152,15 +1161,15 @@ print_markdown_rows(const struct table *t, FILE *out)
 			fprintf(out, "%s", f.number[c] ? "|--:" : "|---");
 		fputs("|\n", out);
 	}
-	free_form(&f);
+	free_table_layout(&f);
 }
 
 static size_t
-print_markdown(const struct answer *answer, bool semicolon, FILE *out)
+print_answer_as_markdown(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	struct answer *a =
-	    copy_with_converted_texts(escape_for_markdown, answer, NULL);
+	    copy_answer_converting_texts(escape_for_markdown, answer, NULL);
 	const struct table *t = &a->table[0];
 	if (a->title != NULL)
 		fprintf(out, "**%s**\n\n", a->title);
@@ -1178,4 +1187,4 @@ print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 
 const struct answer_form ANSWER_FORMATS[4] = {
     {"table", false, print_text_table}, {"csv", true, print_csv},
-    {"json", true, print_json}, {"markdown", false, print_markdown}};
+    {"json", true, print_json}, {"markdown", false, print_answer_as_markdown}};

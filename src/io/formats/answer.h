@@ -38,9 +38,9 @@ struct fields;
 /* Makes an empty answer.  command: the name of its command, which is copied. */
 struct answer *answer_new(const char *command);
 void answer_free(struct answer *answer);
-const char *answer_command(const struct answer *answer);
+const char *answer_command_name(const struct answer *answer);
 
-void answer_title(struct answer *answer, const char *format, ...)
+void answer_set_title(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Sets the site that an answer is about and the provenance of its data (may be
@@ -55,17 +55,18 @@ void answer_set_site_names(
 
 /* Adds columns.  In "speed: m/s, size", each column has a key for csv and json
  * and, after a colon, a heading for people if it differs. */
-void answer_columns(struct answer *answer, const char *format, ...)
+void answer_add_columns(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds a column whose heading may contain any character. */
-void answer_column(struct answer *answer, const char *key, const char *head);
+void answer_add_column(
+    struct answer *answer, const char *key, const char *head);
 
 /* Adds a column whose heading is already translated.  On a screen of 80 columns
  * that has no room for the whole table, columns whose `spare` is not 0 are left
  * out, those with the largest first, and the text says so, instead of
  * continuing in a second block.  Files have all columns. */
-void answer_optional_column(
+void answer_add_optional_column(
     struct answer *answer, const char *key, const char *head, int spare);
 
 /* Sets the width of a table for people; 80 by default. */
@@ -86,25 +87,26 @@ void answer_resume_table_for_people(struct answer *answer);
  * conversions separated by spaces, "%s %.2f %g".  %s: a text; %.2f: a number,
  * with 2 decimals for people; %.*f: the same, with the decimals in an argument;
  * %+.2f: also with a sign; %g: with as many significant digits as needed, up to
- * 6.  NAN appears as the words of answer_set_missing, as an empty cell in csv
- * and as null in json. */
+ * 6.  NAN appears as the words of answer_set_missing_text, as an empty cell in
+ * csv and as null in json. */
 void answer_add_cells(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds one cell of text. */
-void answer_text(struct answer *answer, const char *format, ...)
+void answer_add_text_cell(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds one cell of text: people see `head`, while csv and json print `key`. */
-void answer_name(struct answer *answer, const char *key, const char *head);
+void answer_add_keyed_cell(
+    struct answer *answer, const char *key, const char *head);
 
 /* Adds a row with a name and a text, for a table with two columns. */
-void answer_add_pair(struct answer *answer, const char *name,
+void answer_add_name_value_row(struct answer *answer, const char *name,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Sets what to show for NAN in cells added from here on ("below 0.063 mm"); "-"
  * by default. */
-void answer_set_missing(struct answer *answer, const char *words);
+void answer_set_missing_text(struct answer *answer, const char *words);
 
 /* Returns the number of complete rows. */
 size_t answer_count_rows(const struct answer *answer);
@@ -114,14 +116,14 @@ size_t answer_count_rows(const struct answer *answer);
  * people see it first, marked as a warning.  answer_note adds a plain
  * sentence. */
 enum answer_grade { ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING };
-void answer_say(struct answer *answer, enum answer_grade grade,
+void answer_add_sentence(struct answer *answer, enum answer_grade grade,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 void answer_note(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds a plain sentence about the column `name`, which is left out if the
  * column is. */
-void answer_note_column(struct answer *answer, const char *name,
+void answer_note_on_column(struct answer *answer, const char *name,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* The answer as people see it, borrowed: title, site and provenance or NULL
@@ -157,7 +159,7 @@ struct answer *answer_copy_escaped(const struct answer *answer);
 
 /* Returns the answer's fields, which do not include command, site and
  * provenance; borrowed. */
-struct fields *answer_fields(struct answer *answer);
+struct fields *answer_json_fields(struct answer *answer);
 
 /* Adds values under keys, as "speed %g extrapolated %d" says: %g is a number,
  * or null if it is not finite; %d true or false; %zu and %llu a whole number;
@@ -173,16 +175,16 @@ void fields_put_number(struct fields *fields, const char *key, double value);
 struct fields *fields_add_object(struct fields *fields, const char *key);
 struct fields *fields_add_list(struct fields *fields, const char *key);
 
-/* Adds a list of numbers [n], each converted by `shown` (units_mm or
- * units_pct), or unchanged if that is NULL. */
+/* Adds a list of numbers [n], each converted by `shown` (units_m_to_mm or
+ * units_fraction_to_pct), or unchanged if that is NULL. */
 void fields_put_numbers(struct fields *fields, const char *key,
     const double *value, size_t n, double (*shown)(double));
 
-/* Add the rows so far to the fields: answer_put_rows_as_objects as a list of
- * objects, under `key`; answer_put_columns_as_lists as a list for each column
- * named in `keys`, which spaces separate. */
-void answer_put_rows_as_objects(struct answer *answer, const char *key);
-void answer_put_columns_as_lists(struct answer *answer, const char *keys);
+/* Add the rows so far to the fields: answer_add_rows_as_json_objects as a list
+ * of objects, under `key`; answer_add_columns_to_json_fields as a list for each
+ * column named in `keys`, which spaces separate. */
+void answer_add_rows_as_json_objects(struct answer *answer, const char *key);
+void answer_add_columns_to_json_fields(struct answer *answer, const char *keys);
 
 /* Lets csv repeat fields at the end of each row: what the rows are about and do
  * not say, such as the speed.  keys: separated by spaces, those of hidden
@@ -197,12 +199,13 @@ void answer_drop_table_for_programs(struct answer *answer);
  * there is none.  For a list, such as "holdout.rmse_pct", it is the largest
  * number; true is 1.  "warnings" is the number of warnings, if there are any
  * sentences. */
-double answer_find_number(const struct answer *answer, const char *path);
+double answer_find_json_number(const struct answer *answer, const char *path);
 
 /* Returns the text in a field, such as "trust", borrowed, or NULL if there is
  * none. */
-const char *answer_find_text(const struct answer *answer, const char *path);
+const char *answer_find_json_text(
+    const struct answer *answer, const char *path);
 
-bool answer_has_fields(const struct answer *answer);
+bool answer_has_json_fields(const struct answer *answer);
 
 #endif

@@ -44,7 +44,7 @@ open_temporary_file(void)
 }
 
 static lxw_format *
-add_format(struct book *b, bool bold, int colour, int fill)
+add_cell_format(struct book *b, bool bold, int colour, int fill)
 {
 	lxw_format *f = workbook_add_format(b->workbook);
 	if (bold)
@@ -57,22 +57,22 @@ add_format(struct book *b, bool bold, int colour, int fill)
 }
 
 static void
-add_formats(struct book *b)
+add_all_cell_formats(struct book *b)
 {
-	b->title = add_format(b, true, 0, 0);
+	b->title = add_cell_format(b, true, 0, 0);
 	format_set_font_size(b->title, 13);
-	b->head = add_format(b, true, 0, 0xE8E8E8);
+	b->head = add_cell_format(b, true, 0, 0xE8E8E8);
 	format_set_bottom(b->head, LXW_BORDER_THIN);
 	format_set_text_wrap(b->head);
 	format_set_align(b->head, LXW_ALIGN_VERTICAL_TOP);
-	b->remark = add_format(b, false, 0x606060, 0);
-	b->warning = add_format(b, true, 0xB00000, 0);
-	b->light[0] = add_format(b, true, 0, 0xC6EFCE);
-	b->light[1] = add_format(b, true, 0, 0xFFEB9C);
-	b->light[2] = add_format(b, true, 0, 0xFFC7CE);
+	b->remark = add_cell_format(b, false, 0x606060, 0);
+	b->warning = add_cell_format(b, true, 0xB00000, 0);
+	b->light[0] = add_cell_format(b, true, 0, 0xC6EFCE);
+	b->light[1] = add_cell_format(b, true, 0, 0xFFEB9C);
+	b->light[2] = add_cell_format(b, true, 0, 0xFFC7CE);
 	for (int i = 0; i < DECIMALS; i++) {
 		char code[16];
-		b->number[i] = add_format(b, false, 0, 0);
+		b->number[i] = add_cell_format(b, false, 0, 0);
 		snprintf(code, sizeof code, "0%s%.*s", i > 0 ? "." : "", i,
 		    "00000000");
 		format_set_num_format(b->number[i], code);
@@ -102,7 +102,7 @@ book_new(struct error *error)
 	b->fd = fd;
 	b->workbook = workbook_new_opt(path, &options);
 	workbook_set_properties(b->workbook, &properties);
-	add_formats(b);
+	add_all_cell_formats(b);
 	return b;
 }
 
@@ -133,7 +133,7 @@ struct page {
 };
 
 static struct page
-book_add_page(struct book *b, const char *name)
+book_add_worksheet(struct book *b, const char *name)
 {
 	char tab[32];
 	snprintf(tab, sizeof tab, "%.20s", name);
@@ -151,7 +151,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 {
 	enum { MOST = 32000 }; /* bytes; Excel allows 32,767 characters */
 	FREED char *shown = text_with_control_escaped(text);
-	shown[text_bytes_within(shown, MOST)] = '\0';
+	shown[text_bytes_up_to_limit(shown, MOST)] = '\0';
 	if (shown[0] != '\0')
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
 }
@@ -159,7 +159,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 /* True if a cell in a column of sieves is a sieve, whose size *value gets.
  * There are also rows such as "P80 mm". */
 static bool
-book_is_sieve_column(
+book_parse_sieve_cell(
     const char *head, const struct answer_cell *cell, double *value)
 {
 	return strncmp(head, "sieve", 5) == 0 && cell->is_text &&
@@ -177,7 +177,7 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 	if (!cell->is_text && isfinite(value))
 		text_parse_number(
 		    text_shortest_exact_number(value, text), &value);
-	if (book_is_sieve_column(head, cell, &value) ||
+	if (book_parse_sieve_cell(head, cell, &value) ||
 	    (!cell->is_text && isfinite(value)))
 		worksheet_write_number(p->sheet, p->row, column, value,
 		    fixed ? b->number[cell->decimals] : NULL);
@@ -187,7 +187,7 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 
 /* Makes a column as wide as its longest cell or heading, within limits. */
 static void
-set_column_width(
+set_column_width_to_text(
     const struct page *p, const struct answer_view *v, lxw_col_t column)
 {
 	enum { LEAST = 9, MOST = 60 };
@@ -211,7 +211,7 @@ count_sieve_rows(const struct answer_view *v)
 	for (; n < v->n_row; n++) {
 		const struct answer_cell *cell = &v->cell[n * v->n_column];
 		mm = cell->number;
-		if (!book_is_sieve_column(v->head[0], cell, &mm) &&
+		if (!book_parse_sieve_cell(v->head[0], cell, &mm) &&
 		    !(!cell->is_text && mm > 0))
 			break;
 	}
@@ -247,7 +247,7 @@ set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 	for (size_t i = 0; i < rows; i++) {
 		const struct answer_cell *cell = &v->cell[i * v->n_column];
 		mm = cell->number;
-		book_is_sieve_column(v->head[0], cell, &mm);
+		book_parse_sieve_cell(v->head[0], cell, &mm);
 		least = fmin(least, mm);
 		most = fmax(most, mm);
 	}
@@ -300,7 +300,7 @@ book_put_table(struct book *b, struct page *p, const struct answer_view *v)
 {
 	for (size_t c = 0; c < v->n_column; c++) {
 		book_put_text(p, (lxw_col_t)c, v->head[c], b->head);
-		set_column_width(p, v, (lxw_col_t)c);
+		set_column_width_to_text(p, v, (lxw_col_t)c);
 	}
 	worksheet_freeze_panes(p->sheet, p->row + 1, 1);
 	book_add_chart(b, p, v);
@@ -315,7 +315,7 @@ book_put_table(struct book *b, struct page *p, const struct answer_view *v)
 /* Returns the format, in its colour, of a sentence such as "trust: amber: ..";
  * NULL for others. */
 static lxw_format *
-format_of_trust_light(const struct book *b, const char *text)
+cell_format_of_trust_light(const struct book *b, const char *text)
 {
 	static const char *const LIGHTS[] = {
 	    "trust: green", "trust: amber", "trust: red"};
@@ -336,7 +336,7 @@ book_put_sentences(
 			continue;
 		FREED char *text =
 		    xasprintf("%s%s", warning ? "warning: " : "", said->text);
-		lxw_format *light = format_of_trust_light(b, said->text);
+		lxw_format *light = cell_format_of_trust_light(b, said->text);
 		book_put_text(p, 0, text,
 		    light != NULL ? light
 		    : warning     ? b->warning
@@ -346,10 +346,10 @@ book_put_sentences(
 }
 
 size_t
-book_add_answer(struct book *b, const struct answer *answer)
+book_add_answer_worksheet(struct book *b, const struct answer *answer)
 {
 	struct answer_view v = answer_view(answer);
-	struct page p = book_add_page(b, answer_command(answer));
+	struct page p = book_add_worksheet(b, answer_command_name(answer));
 	if (v.title != NULL) {
 		book_put_text(&p, 0, v.title, b->title);
 		p.row++;
@@ -395,15 +395,15 @@ book_put_text_row(struct book *b, struct page *p, const struct row *row)
 }
 
 void
-book_add_text(struct book *b, const char *name, const char *text)
+book_add_text_worksheet(struct book *b, const char *name, const char *text)
 {
 	enum { MOST_ROWS = 2000 };
 	struct error_list errors = {0};
 	FREED char *copy = xstrdup(text);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
 	struct sheet *sheet = sheet_new_from_text("", copy, most, &errors);
-	number_find_in_all_cells(sheet);
-	struct page p = book_add_page(b, name);
+	number_parse_all_cells(sheet);
+	struct page p = book_add_worksheet(b, name);
 	for (size_t i = 0; i < sheet->n_row; i++)
 		book_put_text_row(b, &p, &sheet->row[i]);
 	for (size_t i = 0; i < sheet->n_comment; i++) {
@@ -436,10 +436,10 @@ book_has_site(const struct book *b)
 }
 
 static void
-book_put_about_sheet(struct book *b)
+book_add_about_worksheet(struct book *b)
 {
 	struct page p = {.sheet = workbook_add_worksheet(b->workbook, "About")};
-	lxw_format *left = add_format(b, false, 0, 0);
+	lxw_format *left = add_cell_format(b, false, 0, 0);
 	format_set_align(left, LXW_ALIGN_LEFT);
 	for (size_t i = 0; i < b->n_about; i++, p.row++) {
 		book_put_text(&p, 0, b->about[2 * i], b->head);
@@ -476,7 +476,7 @@ read_whole_file(int fd, size_t *n)
 char *
 book_finish_to_bytes(struct book *b, size_t *n, struct error *error)
 {
-	book_put_about_sheet(b);
+	book_add_about_worksheet(b);
 	errno = 0;
 	lxw_error code = workbook_close(b->workbook);
 	char *bytes = code == LXW_NO_ERROR ? read_whole_file(b->fd, n) : NULL;

@@ -18,11 +18,13 @@ void book_free(struct book *book); /* may be NULL */
 /* Adds a sheet with an answer as people see it.  Numbers are exact, but shown
  * with the same decimals; the passings in a table of sieves are also drawn as
  * curves.  Returns the number of rows in its table. */
-size_t book_add_answer(struct book *book, const struct answer *answer);
+size_t book_add_answer_worksheet(
+    struct book *book, const struct answer *answer);
 
 /* Adds a sheet with the cells of a text (see sheet_new_from_text), including
  * its comments. */
-void book_add_text(struct book *book, const char *name, const char *text);
+void book_add_text_worksheet(
+    struct book *book, const char *name, const char *text);
 
 /* Adds a line to the sheet "About", which comes last. */
 void book_add_about_line(struct book *book, const char *key, const char *value);

@@ -33,13 +33,13 @@ struct reading_circuit {
 /* Returns the part of a cell from `from` on, trimmed in place, as a cell of its
  * own. */
 static struct cell
-cell_with_part_of_text(
+rest_of_cell_as_cell(
     const struct reading_circuit *r, struct cell cell, char *from)
 {
 	while (*from == ' ' || *from == '\t')
 		from++;
 	cell.column += (int)(from - cell.text);
-	return number_cell_with_text(r->sheet, cell, text_trim(from));
+	return number_reparse_cell_with_text(r->sheet, cell, text_trim(from));
 }
 
 static bool
@@ -47,12 +47,12 @@ check_stream_name(struct reading_circuit *r, struct cell cell)
 {
 	if (cell.text[0] != '\0' && strpbrk(cell.text, "+=") == NULL)
 		return true;
-	return sheet_fault_expected(r->sheet, cell, "the name of a stream",
+	return sheet_report_expected(r->sheet, cell, "the name of a stream",
 	    "name streams as you like, without + and =");
 }
 
 static void
-add_stream_of_unit(
+add_stream_to_unit(
     struct reading_circuit *r, struct unit *unit, struct cell cell, bool made)
 {
 	if (!check_stream_name(r, cell))
@@ -61,7 +61,7 @@ add_stream_of_unit(
 	struct cell *first = made ? &r->made[i] : &r->used[i];
 	size_t *n = made ? &unit->n_out : &unit->n_in;
 	if (first->text != NULL)
-		sheet_fault(r->sheet, cell,
+		sheet_report_fault(r->sheet, cell,
 		    made ? N_("expected one source of '%.40s', got a second "
 			      "one\n"
 			      "line %d has the first: give one of the two "
@@ -79,14 +79,14 @@ add_stream_of_unit(
 
 /* Adds the input streams that a cell names, "new + back". */
 static void
-add_input_streams(
+parse_input_streams(
     struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	size_t n = 1;
 	for (const char *p = cell.text; *p != '\0'; p++)
 		n += *p == '+';
 	if (n > UNIT_STREAMS) {
-		sheet_fault(r->sheet, cell,
+		sheet_report_fault(r->sheet, cell,
 		    "expected at most %d streams, got %zu\njoin some of them "
 		    "upstream, in a crusher or a split",
 		    (int)UNIT_STREAMS, n);
@@ -96,8 +96,8 @@ add_input_streams(
 		char *plus = strchr(at, '+');
 		if (plus != NULL)
 			*plus = '\0';
-		add_stream_of_unit(
-		    r, unit, cell_with_part_of_text(r, cell, at), false);
+		add_stream_to_unit(
+		    r, unit, rest_of_cell_as_cell(r, cell, at), false);
 		at = plus != NULL ? plus + 1 : NULL;
 	}
 }
@@ -110,7 +110,7 @@ parse_number_between(struct reading_circuit *r, struct cell cell,
 		return false;
 	if (*value >= least && *value <= most)
 		return true;
-	return sheet_fault_expected(
+	return sheet_report_expected(
 	    r->sheet, cell, wanted, "see tipspeed-circuit(5) for units");
 }
 
@@ -154,14 +154,14 @@ parse_speed_in_rpm(
 	FREED char *number =
 	    xstrndup(cell.text, strlen(cell.text) - strlen("rpm"));
 	if (!(rotor > 0))
-		sheet_fault_expected(r->sheet, cell,
+		sheet_report_expected(r->sheet, cell,
 		    tr("a tip speed from 1 to 400 m/s"),
 		    "rpm need the rotor's diameter: a line rotor_mm in the "
 		    "site file");
 	else if (!text_parse_number(text_trim(number), &rpm) ||
 		 rotor_speed_from_rpm(rpm, rotor) < 1 ||
 		 rotor_speed_from_rpm(rpm, rotor) > SITE_FASTEST)
-		sheet_fault_expected(r->sheet, cell,
+		sheet_report_expected(r->sheet, cell,
 		    tr("a tip speed from 1 to 400 m/s"),
 		    "see tipspeed-circuit(5) for units");
 	else
@@ -182,7 +182,7 @@ parse_circuit_unit_key(
 		    strncmp(cell.text, key->word, n) != 0 ||
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
-		struct cell number = cell_with_part_of_text(r, cell, sign + 1);
+		struct cell number = rest_of_cell_as_cell(r, cell, sign + 1);
 		void *place = (char *)unit + key->offset;
 		double *to = place;
 		if (to == &unit->speed && text_ends_with(number.text, "rpm")) {
@@ -194,7 +194,7 @@ parse_circuit_unit_key(
 			*to = value / key->scale;
 		return;
 	}
-	sheet_fault_expected(r->sheet, cell,
+	sheet_report_expected(r->sheet, cell,
 	    "the end of the line, or a setting", "%s", tr(HINTS[unit->kind]));
 }
 
@@ -213,7 +213,7 @@ parse_circuit_feed_row(
 {
 	struct cell tph = row_cell_at(row, 2);
 	double value;
-	add_stream_of_unit(r, unit, row_cell_at(row, 1), true);
+	add_stream_to_unit(r, unit, row_cell_at(row, 1), true);
 	if (tph.text[0] != '\0' &&
 	    parse_number_between(
 		r, tph, tr("a feed above 0, up to 1e5 t/h"), 1e-3, 1e5, &value))
@@ -225,8 +225,8 @@ static void
 parse_circuit_crusher_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
-	add_input_streams(r, unit, row_cell_at(row, 1));
-	add_stream_of_unit(r, unit, row_cell_at(row, 2), true);
+	parse_input_streams(r, unit, row_cell_at(row, 1));
+	add_stream_to_unit(r, unit, row_cell_at(row, 2), true);
 	parse_circuit_unit_keys(r, unit, row, 3);
 }
 
@@ -235,34 +235,34 @@ parse_circuit_screen_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	double mm = 1;
-	add_input_streams(r, unit, row_cell_at(row, 1));
+	parse_input_streams(r, unit, row_cell_at(row, 1));
 	parse_number_between(r, row_cell_at(row, 2), tr("an opening in mm"),
 	    SIZE_LEAST_MM, SIZE_MOST_MM, &mm);
 	unit->opening = mm / 1000;
-	add_stream_of_unit(r, unit, row_cell_at(row, 3), true);
-	add_stream_of_unit(r, unit, row_cell_at(row, 4), true);
+	add_stream_to_unit(r, unit, row_cell_at(row, 3), true);
+	add_stream_to_unit(r, unit, row_cell_at(row, 4), true);
 	parse_circuit_unit_keys(r, unit, row, 5);
 }
 
 /* Reads an output of a split, "a=60", or "a", which takes the rest.  Returns
  * its share, 0..1, or NAN for the rest. */
 static double
-parse_share_of_split(
+parse_split_output(
     struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	char *sign = strchr(cell.text, '=');
 	double share = NAN;
 	if (sign != NULL) {
 		*sign = '\0';
-		struct cell number = cell_with_part_of_text(r, cell, sign + 1);
+		struct cell number = rest_of_cell_as_cell(r, cell, sign + 1);
 		if (parse_number_between(r, number,
 			tr("a share from 0 to 100 %"), 0, 100, &share))
 			share /= 100;
 		else
 			share = 0;
 	}
-	add_stream_of_unit(
-	    r, unit, cell_with_part_of_text(r, cell, cell.text), true);
+	add_stream_to_unit(
+	    r, unit, rest_of_cell_as_cell(r, cell, cell.text), true);
 	return share;
 }
 
@@ -273,21 +273,21 @@ parse_circuit_split_row(
 	const double exact = 1e-6;
 	double sum = 0;
 	size_t open = 0, n = row->n > 2 ? row->n - 2 : 0;
-	add_input_streams(r, unit, row_cell_at(row, 1));
+	parse_input_streams(r, unit, row_cell_at(row, 1));
 	if (n < 2 || n > UNIT_STREAMS) {
-		sheet_fault(r->sheet, row->cell[0],
+		sheet_report_fault(r->sheet, row->cell[0],
 		    "expected a split into 2 to %d streams, got %zu\n%s",
 		    (int)UNIT_STREAMS, n, HINTS[UNIT_SPLIT]);
 		return;
 	}
 	for (size_t i = 0; i < n; i++) {
-		double share = parse_share_of_split(r, unit, row->cell[i + 2]);
+		double share = parse_split_output(r, unit, row->cell[i + 2]);
 		unit->share[i] = share;
 		open += isnan(share) ? 1 : 0;
 		sum += isnan(share) ? 0 : share;
 	}
 	if (open > 1 || sum > 1 + exact || (open == 0 && sum < 1 - exact))
-		sheet_fault(r->sheet, row->cell[2],
+		sheet_report_fault(r->sheet, row->cell[2],
 		    open > 1 ? N_("expected shares that sum to 100 %%, got %g "
 				  "%% and the rest twice\nonly one stream may "
 				  "be without a share: it takes the rest")
@@ -307,9 +307,9 @@ parse_circuit_stockpile_row(
 {
 	struct cell from = row_cell_at(row, 1), name = row_cell_at(row, 2);
 	bool key = strchr(name.text, '=') != NULL;
-	xreplace(&unit->name,
+	xfree_and_set(&unit->name,
 	    xstrdup(name.text[0] != '\0' && !key ? name.text : from.text));
-	add_input_streams(r, unit, from);
+	parse_input_streams(r, unit, from);
 	parse_circuit_unit_keys(r, unit, row, key ? 2 : 3);
 }
 
@@ -321,17 +321,18 @@ parse_circuit_unit_row(struct reading_circuit *r, const struct row *row)
 	    parse_circuit_crusher_row, parse_circuit_screen_row,
 	    parse_circuit_split_row, parse_circuit_stockpile_row};
 	struct cell word = row->cell[0];
-	if (text_same_folded(word.text, "circuit")) {
-		xreplace(&r->circuit->name, xstrdup(row_cell_at(row, 1).text));
+	if (text_is_same_folded(word.text, "circuit")) {
+		xfree_and_set(
+		    &r->circuit->name, xstrdup(row_cell_at(row, 1).text));
 		return;
 	}
 	for (size_t k = 0; k < UNIT_KINDS; k++) {
-		if (!text_same_folded(word.text, WORDS[k]))
+		if (!text_is_same_folded(word.text, WORDS[k]))
 			continue;
 		struct unit *unit =
 		    circuit_add_unit(r->circuit, (enum unit_kind)k, "");
 		if (unit == NULL) {
-			sheet_fault(r->sheet, word,
+			sheet_report_fault(r->sheet, word,
 			    "expected at most %d units, got more\n"
 			    "tipspeed is for small circuits",
 			    (int)CIRCUIT_UNITS);
@@ -341,7 +342,7 @@ parse_circuit_unit_row(struct reading_circuit *r, const struct row *row)
 		READ[k](r, unit, row);
 		return;
 	}
-	sheet_fault_expected(r->sheet, word,
+	sheet_report_expected(r->sheet, word,
 	    "circuit, feed, crusher, screen, split or stockpile",
 	    "begin each line with one of these; see tipspeed-circuit(5)");
 }
@@ -351,13 +352,13 @@ check_streams_connected(struct reading_circuit *r)
 {
 	for (size_t i = 0; i < r->circuit->n_stream; i++) {
 		if (r->made[i].text == NULL)
-			sheet_fault_expected(r->sheet, r->used[i],
+			sheet_report_expected(r->sheet, r->used[i],
 			    "a stream that a unit makes",
 			    "no feed, crusher, screen or split of the file "
 			    "makes this stream: is it spelled the same way "
 			    "there?");
 		else if (r->used[i].text == NULL)
-			sheet_fault_expected(r->sheet, r->made[i],
+			sheet_report_expected(r->sheet, r->made[i],
 			    "a stream that a unit takes",
 			    "nothing takes it: send it to a unit or add a "
 			    "line: stockpile,%.40s",
@@ -366,7 +367,7 @@ check_streams_connected(struct reading_circuit *r)
 }
 
 static void
-check_one_feed(struct reading_circuit *r)
+check_exactly_one_feed(struct reading_circuit *r)
 {
 	size_t feeds = 0;
 	struct row none = {.line = 1, .end = 1};
@@ -375,11 +376,11 @@ check_one_feed(struct reading_circuit *r)
 		if (r->circuit->unit[u].kind == UNIT_FEED && feeds++ == 1)
 			second = r->row[u];
 	if (feeds == 0 && !r->sheet->lost)
-		sheet_fault(r->sheet, row_cell_at(&none, 0),
+		sheet_report_fault(r->sheet, row_cell_at(&none, 0),
 		    "expected a line that begins with feed, got none\n%s",
 		    HINTS[UNIT_FEED]);
 	if (feeds > 1)
-		sheet_fault(r->sheet, second,
+		sheet_report_fault(r->sheet, second,
 		    "expected one feed, got a second one\n"
 		    "there is one feed, that of the site; a split shares it "
 		    "out");
@@ -394,13 +395,13 @@ check_paths_through_circuit(struct reading_circuit *r)
 	size_t unfed = circuit_find_unfed_unit(c),
 	       trapped = circuit_find_trapped_stream(c);
 	if (unfed < c->n_unit)
-		sheet_fault(r->sheet, r->row[unfed],
+		sheet_report_fault(r->sheet, r->row[unfed],
 		    "expected a path from the feed to this %s, got none\nits "
 		    "input comes only from itself: see the lines of its "
 		    "streams",
 		    WORDS[c->unit[unfed].kind]);
 	else if (trapped < c->n_stream)
-		sheet_fault(r->sheet, r->made[trapped],
+		sheet_report_fault(r->sheet, r->made[trapped],
 		    "expected a path from '%.40s' to a stockpile, got a loop "
 		    "that never empties\nsend part of it, or of what it "
 		    "becomes, to a stockpile",
@@ -412,7 +413,7 @@ read_circuit_sheet(struct reading_circuit *r)
 {
 	for (size_t i = 0; i < r->sheet->n_row; i++)
 		parse_circuit_unit_row(r, &r->sheet->row[i]);
-	check_one_feed(r);
+	check_exactly_one_feed(r);
 	if (r->sheet->n_fault == 0)
 		check_streams_connected(r);
 	if (r->sheet->n_fault == 0)

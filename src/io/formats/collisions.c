@@ -93,8 +93,8 @@ static bool
 fault(
     struct reading *r, enum error_kind kind, const char *what, const char *hint)
 {
-	return error_at(error_add(r->errors), kind, r->path, r->at, 0, "%s\n%s",
-	    tr(what), tr(hint));
+	return error_set_at(error_list_add_item(r->errors), kind, r->path,
+	    r->at, 0, "%s\n%s", tr(what), tr(hint));
 }
 
 /* Reads the next line, without its line end.  Returns false at the end of the
@@ -226,7 +226,8 @@ add_collision_column(struct reading *r, const char *head)
 }
 
 static void
-set_columns_from_names(struct reading *r, const char *heads, char separator)
+set_collision_columns_from_names(
+    struct reading *r, const char *heads, char separator)
 {
 	FREED char *copy = xstrdup(heads);
 	char *rest = copy, *head, was = r->separator;
@@ -239,7 +240,7 @@ set_columns_from_names(struct reading *r, const char *heads, char separator)
 }
 
 static bool
-columns_give_energy(const struct reading *r)
+has_energy_columns(const struct reading *r)
 {
 	return r->has[COL_VELOCITY] || r->has[COL_SPECIFIC] ||
 	       (r->has[COL_ENERGY] && r->has[COL_MASS]) ||
@@ -249,9 +250,9 @@ columns_give_energy(const struct reading *r)
 /* True if the columns give energies; otherwise reports what is missing and how
  * to name the columns. */
 static bool
-check_columns_give_energy(struct reading *r)
+check_energy_columns(struct reading *r)
 {
-	if (columns_give_energy(r))
+	if (has_energy_columns(r))
 		return true;
 	bool joules = r->has[COL_ENERGY] && !r->has[COL_MASS];
 	return fault(r, ERROR_DATA,
@@ -267,7 +268,7 @@ check_columns_give_energy(struct reading *r)
 /* Reads the numbers of a row.  Returns false with a fault if a field is missing
  * or not a number. */
 static bool
-read_numbers_of_row(struct reading *r)
+parse_numbers_of_row(struct reading *r)
 {
 	char *rest = r->line;
 	for (size_t i = 0; i < r->n; i++) {
@@ -299,8 +300,8 @@ report_rows_read_so_far(struct reading *r)
 	if (r->way->progress == NULL || r->to->rows % often != 0 ||
 	    r->way->progress(r->way->data, r->to->rows))
 		return true;
-	return error_at(error_add(r->errors), ERROR_CHECK, r->path, 0, 0,
-	    "stopped after %llu rows: nothing was loaded",
+	return error_set_at(error_list_add_item(r->errors), ERROR_CHECK,
+	    r->path, 0, 0, "stopped after %llu rows: nothing was loaded",
 	    (unsigned long long)r->to->rows);
 }
 
@@ -353,7 +354,7 @@ add_impact_of_row(struct reading *r)
 /* Reads a line such as "speed_m_s,69" or "provenance,.." above the headings.
  * Returns false if it is not such a line. */
 static bool
-read_line_above_headings(struct reading *r)
+parse_line_above_headings(struct reading *r)
 {
 	FREED char *copy = xstrdup(r->line);
 	char *rest = copy;
@@ -368,7 +369,7 @@ read_line_above_headings(struct reading *r)
 		return true;
 	}
 	if (strcmp(key, "provenance") == 0) {
-		xreplace(&r->to->about, xstrdup(value));
+		xfree_and_set(&r->to->about, xstrdup(value));
 		return true;
 	}
 	return strcmp(key, "spectrum") == 0 ||
@@ -397,21 +398,21 @@ read_table_headings(struct reading *r, bool *is_row)
 	*is_row = first != NULL && text_parse_number(first, &v);
 	bool two = next_field_of_line(r, &rest) != NULL;
 	if (r->way->columns != NULL)
-		set_columns_from_names(r, r->way->columns, ',');
+		set_collision_columns_from_names(r, r->way->columns, ',');
 	else if (!*is_row)
-		set_columns_from_names(r, r->line, r->separator);
+		set_collision_columns_from_names(r, r->line, r->separator);
 	else if (r->way->unit == NULL)
 		return fault(r, ERROR_USAGE,
 		    "expected headings above the numbers, got none",
 		    "say what they are: unit=j_kg or unit=m_s, or columns=");
 	else
-		set_columns_from_names(r,
+		set_collision_columns_from_names(r,
 		    strcmp(r->way->unit, "m/s") == 0
 			? two ? "velocity,weight" : "velocity"
 		    : two ? "specific_energy,weight"
 			  : "specific_energy",
 		    ',');
-	return check_columns_give_energy(r);
+	return check_energy_columns(r);
 }
 
 static bool
@@ -419,16 +420,16 @@ collisions_read_table(struct reading *r)
 {
 	bool ok = true, is_row = false;
 	r->separator = guess_separator_of_line(r->line);
-	while (read_line_above_headings(r))
+	while (parse_line_above_headings(r))
 		if (!read_next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",
 			    "is the file complete?");
 	ok = read_table_headings(r, &is_row);
 	if (ok && is_row)
-		ok = read_numbers_of_row(r) && add_impact_of_row(r);
+		ok = parse_numbers_of_row(r) && add_impact_of_row(r);
 	while (ok && read_next_line(r))
 		ok = r->length == 0 ||
-		     (read_numbers_of_row(r) && add_impact_of_row(r) &&
+		     (parse_numbers_of_row(r) && add_impact_of_row(r) &&
 			 report_rows_read_so_far(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
@@ -468,8 +469,8 @@ collisions_read(const char *path, const struct collisions_way *way,
 	bool ok = r.in != NULL;
 	FREED char *hint = textfile_hint_if_unreadable(path);
 	if (!ok)
-		error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
-		    "cannot read: %s\n%s", why, hint);
+		error_set_at(error_list_add_item(errors), ERROR_SYSTEM, path, 0,
+		    0, "cannot read: %s\n%s", why, hint);
 	ok = ok && read_collisions_stream(&r);
 	if (ok && ferror(r.in))
 		ok = fault(&r, ERROR_SYSTEM, "cannot be read to its end",
@@ -500,7 +501,7 @@ write_spectrum_rows(const struct spectrum_size *of, FILE *out)
 {
 	bool begun = false;
 	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
-		const double row[] = {units_mm(of->size),
+		const double row[] = {units_m_to_mm(of->size),
 		    begun ? 0 : of->particles, begun ? 0 : of->mass,
 		    spectrum_bin_edge(b), spectrum_bin_edge(b + 1),
 		    of->all[b].mass, of->all[b].energy, of->first[b].mass,

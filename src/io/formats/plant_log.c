@@ -61,7 +61,7 @@ struct reading {
 };
 
 static bool
-plant_log_has_any_word(const char *text, const char *words)
+plant_log_text_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
 	FREED char *folded = text_fold_case_and_accents(text);
@@ -77,21 +77,21 @@ plant_log_has_any_word(const char *text, const char *words)
 static unsigned
 plant_log_kind_of_heading(const char *text, const struct head *head)
 {
-	if (plant_log_has_any_word(text, RATE))
+	if (plant_log_text_has_word(text, RATE))
 		return LOG_RATE;
-	if (plant_log_has_any_word(text, OTHER))
+	if (plant_log_text_has_word(text, OTHER))
 		return NO_KIND;
-	if (plant_log_has_any_word(text, POWER))
+	if (plant_log_text_has_word(text, POWER))
 		return LOG_POWER;
 	if (head->unit == SPEED_RPM || (head->means & WORD_RPM) != 0)
 		return LOG_RPM;
 	if (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0)
 		return LOG_SPEED;
-	return plant_log_has_any_word(text, TIMES) ? TIME : NO_KIND;
+	return plant_log_text_has_word(text, TIMES) ? TIME : NO_KIND;
 }
 
 static bool
-read_date_or_time_at(
+parse_date_or_time_cell(
     const struct reading *r, size_t row, size_t column, struct datetime *m)
 {
 	struct cell cell = row_cell_at(&r->sheet->row[row], column);
@@ -110,7 +110,7 @@ find_time_columns(struct reading *r)
 	n = n < LOOKED_AT ? n : LOOKED_AT;
 	for (size_t i = 0; i < n; i++)
 		for (size_t c = 0; c < r->sheet->row[i].n; c++)
-			if (read_date_or_time_at(r, i, c, &m)) {
+			if (parse_date_or_time_cell(r, i, c, &m)) {
 				r->n_column =
 				    c + 1 > r->n_column ? c + 1 : r->n_column;
 				dates[c] += m.has_date;
@@ -121,11 +121,12 @@ find_time_columns(struct reading *r)
 		r->clock = clocks[c] > clocks[r->clock] ? c : r->clock;
 	}
 	for (r->first = 0; r->first < n; r->first++)
-		if (read_date_or_time_at(r, r->first, r->date, &m) &&
+		if (parse_date_or_time_cell(r, r->first, r->date, &m) &&
 		    m.has_date)
 			break;
 	for (size_t i = r->first; i < n; i++) {
-		full += read_date_or_time_at(r, i, r->date, &m) && m.has_time;
+		full +=
+		    parse_date_or_time_cell(r, i, r->date, &m) && m.has_time;
 		r->n_column = r->sheet->row[i].n > r->n_column
 				  ? r->sheet->row[i].n
 				  : r->n_column;
@@ -134,13 +135,13 @@ find_time_columns(struct reading *r)
 		r->clock = r->date;
 	struct cell top = {.line = 1, .column = 1, .text = NULL};
 	if (dates[r->date] == 0)
-		return sheet_fault(r->sheet, top,
+		return sheet_report_fault(r->sheet, top,
 		    "expected a log with a column of dates and times, got "
 		    "none\n"
 		    "write times as 2026-05-03 10:15; a sieve sheet is loaded "
 		    "without as=log");
 	if (full == 0 && clocks[r->clock] == 0)
-		return sheet_fault(r->sheet,
+		return sheet_report_fault(r->sheet,
 		    row_cell_at(&r->sheet->row[r->first], r->date),
 		    "expected times of day with the dates, got none\n"
 		    "a log needs the time of each row: 2026-05-03 10:15");
@@ -168,7 +169,7 @@ plant_log_column_heading(const struct reading *r, size_t c)
 
 /* Takes the kinds of columns from columns=, "1=time, 3=rpm, 4=kW". */
 static bool
-parse_column_choice(struct reading *r, const char *columns)
+parse_columns_option(struct reading *r, const char *columns)
 {
 	bool good = true;
 	char *copy = xstrdup(columns), *save = NULL;
@@ -187,7 +188,7 @@ parse_column_choice(struct reading *r, const char *columns)
 		good = r->kind[number - 1] != NO_KIND;
 	}
 	if (!good)
-		error_set(error_add(r->errors), ERROR_USAGE,
+		error_set(error_list_add_item(r->errors), ERROR_USAGE,
 		    "expected NUMBER=WHAT in columns, got '%s'\n"
 		    "for instance: columns=\"1=time, 2=rpm, 3=kW, 4=t/h\"",
 		    columns);
@@ -199,7 +200,7 @@ parse_column_choice(struct reading *r, const char *columns)
 /* If there are several columns of a kind, keeps the only one that names the
  * rotor; without such a one, reports them. */
 static bool
-keep_only_column_of_kind(struct reading *r, unsigned kind)
+choose_rotor_column_of_kind(struct reading *r, unsigned kind)
 {
 	size_t n = 0, rotors = 0, last = 0, rotor = 0;
 	for (size_t c = 0; c < r->n_column; c++) {
@@ -220,7 +221,8 @@ keep_only_column_of_kind(struct reading *r, unsigned kind)
 		return true;
 	}
 	size_t head = r->first > 0 ? r->first - 1 : 0;
-	return sheet_fault(r->sheet, row_cell_at(&r->sheet->row[head], last),
+	return sheet_report_fault(r->sheet,
+	    row_cell_at(&r->sheet->row[head], last),
 	    "expected one column of %s, got %zu\n"
 	    "name the columns to read: load %s as=log columns=\"%zu=time, "
 	    "%zu=%s, ..\"; two of kW are added up",
@@ -231,7 +233,7 @@ keep_only_column_of_kind(struct reading *r, unsigned kind)
 /* Takes a speed without a unit for rpm if it is 400 or more on average, which
  * no tip speed is, in m/s; otherwise reports it. */
 static bool
-guess_speed_unit_by_size(struct reading *r, size_t c)
+guess_speed_unit_by_magnitude(struct reading *r, size_t c)
 {
 	double sum = 0, v;
 	size_t n = 0;
@@ -245,7 +247,7 @@ guess_speed_unit_by_size(struct reading *r, size_t c)
 			n++;
 		}
 	if (n == 0 || sum / (double)n < 400)
-		return sheet_fault(r->sheet,
+		return sheet_report_fault(r->sheet,
 		    row_cell_at(&r->sheet->row[r->first], c),
 		    "expected a speed in rpm or m/s, got numbers without a "
 		    "unit\n"
@@ -268,18 +270,18 @@ plant_log_find_column_kinds(struct reading *r)
 		    time ? TIME : plant_log_kind_of_heading(text, &r->head[c]);
 	}
 	const char *columns = r->request->columns;
-	if (columns != NULL && !parse_column_choice(r, columns))
+	if (columns != NULL && !parse_columns_option(r, columns))
 		return false;
 	bool good = true, speed = false, any = false;
 	for (size_t c = 0; c < r->n_column && good; c++) {
-		good = guess_speed_unit_by_size(r, c);
+		good = guess_speed_unit_by_magnitude(r, c);
 		speed = speed || r->kind[c] == LOG_SPEED;
 		any = any || r->kind[c] < LOG_COLUMNS;
 	}
 	for (unsigned k = 0; k < LOG_COLUMNS && good; k++)
-		good = keep_only_column_of_kind(r, k);
+		good = choose_rotor_column_of_kind(r, k);
 	if (!any && good)
-		return sheet_fault(r->sheet,
+		return sheet_report_fault(r->sheet,
 		    row_cell_at(&r->sheet->row[r->first > 0 ? r->first - 1 : 0],
 			r->date),
 		    "expected headings that name rpm, m/s, kW or t/h, got none "
@@ -298,8 +300,8 @@ find_day_month_order(struct reading *r, bool *open)
 	struct cell other = {.text = NULL}, undecided = {.text = NULL};
 	r->order = r->request->order;
 	for (size_t i = r->first;
-	     i < r->sheet->n_row && !error_should_stop(r->errors); i++) {
-		if (!read_date_or_time_at(r, i, r->date, &m) || m.plain)
+	     i < r->sheet->n_row && !error_is_stop_requested(r->errors); i++) {
+		if (!parse_date_or_time_cell(r, i, r->date, &m) || m.plain)
 			continue;
 		if (m.order == DATETIME_OPEN)
 			undecided = row_cell_at(&r->sheet->row[i], r->date);
@@ -309,7 +311,7 @@ find_day_month_order(struct reading *r, bool *open)
 			other = row_cell_at(&r->sheet->row[i], r->date);
 	}
 	if (other.text != NULL)
-		return sheet_fault(r->sheet, other,
+		return sheet_report_fault(r->sheet, other,
 		    "expected dates with the %s first, got %s\n"
 		    "write dates as 2026-05-03",
 		    r->order == DATETIME_DAY_FIRST ? tr("day") : tr("month"),
@@ -317,7 +319,7 @@ find_day_month_order(struct reading *r, bool *open)
 	if (undecided.text == NULL || r->order != DATETIME_OPEN)
 		return true;
 	*open = true;
-	return sheet_fault(r->sheet, undecided,
+	return sheet_report_fault(r->sheet, undecided,
 	    "expected dates that can be read in one way, got %s: day or month "
 	    "first?\n"
 	    "say which: load %s as=log dates=day-first, or month-first",
@@ -326,7 +328,7 @@ find_day_month_order(struct reading *r, bool *open)
 
 /* Adds a row, with the sum of several columns of one kind. */
 static void
-add_log_row(struct reading *r, double time, const struct row *row)
+add_plant_log_row(struct reading *r, double time, const struct row *row)
 {
 	struct plant_log *log = r->log;
 	log->time = xgrow_by_one(log->time, log->n, sizeof *log->time);
@@ -354,14 +356,14 @@ static void
 plant_log_read_rows(struct reading *r)
 {
 	for (size_t i = r->first;
-	     i < r->sheet->n_row && !error_should_stop(r->errors); i++) {
+	     i < r->sheet->n_row && !error_is_stop_requested(r->errors); i++) {
 		struct datetime day, clock = {.has_time = false};
-		bool good =
-		    read_date_or_time_at(r, i, r->date, &day) && day.has_date;
+		bool good = parse_date_or_time_cell(r, i, r->date, &day) &&
+			    day.has_date;
 		double time = good ? datetime_seconds_since_1970(&day, r->order)
 				   : (double)NAN;
 		if (good && r->clock != r->date) {
-			good = read_date_or_time_at(r, i, r->clock, &clock);
+			good = parse_date_or_time_cell(r, i, r->clock, &clock);
 			time += clock.seconds;
 		} else {
 			good = good && day.has_time;
@@ -371,7 +373,7 @@ plant_log_read_rows(struct reading *r)
 			continue;
 		}
 		r->zone = r->zone || day.has_zone || clock.has_zone;
-		add_log_row(r, time, &r->sheet->row[i]);
+		add_plant_log_row(r, time, &r->sheet->row[i]);
 	}
 }
 
@@ -381,12 +383,12 @@ static bool
 refuse_ambiguous_numbers(struct reading *r)
 {
 	for (size_t i = r->first;
-	     i < r->sheet->n_row && !error_should_stop(r->errors); i++)
+	     i < r->sheet->n_row && !error_is_stop_requested(r->errors); i++)
 		for (size_t c = 0; c < r->n_column; c++) {
 			struct cell cell = row_cell_at(&r->sheet->row[i], c);
 			if (r->kind[c] < LOG_COLUMNS &&
 			    number_is_ambiguous(r->sheet, cell))
-				return sheet_fault(r->sheet, cell,
+				return sheet_report_fault(r->sheet, cell,
 				    "expected a number that can be read in one "
 				    "way, got %s: a decimal sign, or "
 				    "thousands?\n"
@@ -398,7 +400,7 @@ refuse_ambiguous_numbers(struct reading *r)
 }
 
 static void
-describe_log_columns(struct reading *r)
+describe_plant_log_columns(struct reading *r)
 {
 	FREED char *text = xasprintf(tr("time in column %zu"), r->date + 1);
 	if (r->clock != r->date)
@@ -427,7 +429,7 @@ plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 	    !refuse_ambiguous_numbers(r))
 		return false;
 	plant_log_read_rows(r);
-	describe_log_columns(r);
+	describe_plant_log_columns(r);
 	return true;
 }
 
@@ -435,12 +437,12 @@ static bool
 plant_log_read_file(struct reading *r, const char *path, bool *open)
 {
 	struct source source;
-	bool good = source_read_plant_log(path, r->errors, &source);
+	bool good = source_read_plant_log_sheets(path, r->errors, &source);
 	size_t taken = 0;
 	for (size_t i = 0; i < source.n && good; i++) {
 		const char *wanted = r->request->sheet;
 		if (wanted != NULL &&
-		    !text_same_folded(source.sheet[i]->name, wanted))
+		    !text_is_same_folded(source.sheet[i]->name, wanted))
 			continue;
 		if (wanted == NULL && source.n > 1 &&
 		    source.sheet[i]->n_row < 2)
@@ -449,7 +451,8 @@ plant_log_read_file(struct reading *r, const char *path, bool *open)
 		taken++;
 	}
 	if (good && taken == 0)
-		good = error_at(error_add(r->errors), ERROR_DATA, path, 0, 0,
+		good = error_set_at(error_list_add_item(r->errors), ERROR_DATA,
+		    path, 0, 0,
 		    "expected a sheet with a log, got none\n"
 		    "name one of its sheets: sheet=NAME");
 	if (good && source.note[0] != '\0')
@@ -550,8 +553,8 @@ plant_log_read(
 		good = plant_log_read_file(&r, request->path[i], open) &&
 		       errors->n == 0;
 	if (good && r.log->passed >= r.log->n)
-		good = error_at(error_add(errors), ERROR_DATA, request->path[0],
-		    0, 0,
+		good = error_set_at(error_list_add_item(errors), ERROR_DATA,
+		    request->path[0], 0, 0,
 		    "expected a time in each row of the log, got %zu rows "
 		    "without one and %zu with\n"
 		    "write times as 2026-05-03 10:15",

@@ -24,16 +24,16 @@ static const struct kind {
     {"validate", "source", NULL, PART_NUMBERS, {NULL}}};
 
 static bool
-fault_not_parts_file(const char *path, struct error *error)
+refuse_non_parts_file(const char *path, struct error *error)
 {
-	return error_at(error, ERROR_DATA, path, 0, 0,
+	return error_set_at(error, ERROR_DATA, path, 0, 0,
 	    "expected what 'calibrate all part=I/N' or 'validate all part=I/N' "
 	    "wrote as JSON\n"
 	    "write parts with: calibrate all part=I/N > FILE.json");
 }
 
 static bool
-read_row_of_part(json_t *o, const json_t *index, const struct kind *kind,
+read_part_row_from_json(json_t *o, const json_t *index, const struct kind *kind,
     struct part_row *row)
 {
 	const json_t *list = json_object_get(o, "numbers");
@@ -67,7 +67,7 @@ check_part_format(const struct part_file *part, struct error *error)
 	json_int_t format = json_integer_value(json_object_get(o, "format"));
 	const char *version = json_string_value(json_object_get(o, "version"));
 	return version == NULL || format == PART_FORMAT ||
-	       error_at(error, ERROR_DATA, part->path, 0, 0,
+	       error_set_at(error, ERROR_DATA, part->path, 0, 0,
 		   "tipspeed %s wrote this part in format %lld, but this build "
 		   "(%s) reads format %d\n"
 		   "make all parts, and collect them, with the same build",
@@ -104,7 +104,7 @@ read_part_from_json(struct part_file *part, struct parts *parts)
 	for (size_t i = 0; i < n; i++) {
 		struct part_row *row = &parts->row[all + i];
 		row->order = parts->n_row++;
-		if (!read_row_of_part(json_array_get(rows, i),
+		if (!read_part_row_from_json(json_array_get(rows, i),
 			json_array_get(index, i), kind, row) ||
 		    row->index >= part->loaded ||
 		    row->index % part->of != part->number - 1)
@@ -114,11 +114,12 @@ read_part_from_json(struct part_file *part, struct parts *parts)
 }
 
 bool
-parts_read_file(const char *path, struct parts *parts, struct error *error)
+parts_read_result_file(
+    const char *path, struct parts *parts, struct error *error)
 {
 	FILE *in = fopen(path, "r");
 	if (in == NULL)
-		return error_at(error, ERROR_SYSTEM, path, 0, 0,
+		return error_set_at(error, ERROR_SYSTEM, path, 0, 0,
 		    "cannot be read: %s\ncheck the name", strerror(errno));
 	size_t before = parts->n;
 	bool good = true;
@@ -141,7 +142,7 @@ parts_read_file(const char *path, struct parts *parts, struct error *error)
 	       json_error_code(&about) == json_error_premature_end_of_input;
 	bool read = !ferror(in);
 	fclose(in);
-	return (good && read) || fault_not_parts_file(path, error);
+	return (good && read) || refuse_non_parts_file(path, error);
 }
 
 void
@@ -164,12 +165,12 @@ check_parts_alike(
 	    {"options", a->options, b->options}, {"sites", a->sites, b->sites}};
 	for (size_t i = 0; i < ARRAY_LEN(same); i++)
 		if (strcmp(same[i].in_a, same[i].in_b) != 0)
-			return error_at(error, ERROR_DATA, b->path, 0, 0,
+			return error_set_at(error, ERROR_DATA, b->path, 0, 0,
 			    "expected the %s of %s (%s), got %s\n"
 			    "make this part again as the others were made",
 			    same[i].what, a->path, same[i].in_a, same[i].in_b);
 	return (a->of == b->of && a->loaded == b->loaded) ||
-	       error_at(error, ERROR_DATA, b->path, 0, 0,
+	       error_set_at(error, ERROR_DATA, b->path, 0, 0,
 		   "expected a part of %zu, as %s is, got one of %zu\n"
 		   "make all parts with the same N in part=I/N",
 		   a->of, a->path, b->of);
@@ -184,7 +185,7 @@ check_each_part_once(const struct parts *parts, struct error *error)
 		const struct part_file *part = &parts->part[k];
 		const char **at = &path[part->number];
 		if (*at != NULL)
-			return error_at(error, ERROR_DATA, part->path, 0, 0,
+			return error_set_at(error, ERROR_DATA, part->path, 0, 0,
 			    "part %zu of %zu is already in %s\nleave one out",
 			    part->number, of, *at);
 		*at = part->path;
@@ -199,7 +200,7 @@ check_each_part_once(const struct parts *parts, struct error *error)
 }
 
 static int
-compare_rows(const void *a, const void *b)
+compare_part_rows(const void *a, const void *b)
 {
 	const struct part_row *p = a, *q = b;
 	if (p->index != q->index)
@@ -213,12 +214,12 @@ parts_check_and_sort(struct parts *parts, struct error *error)
 	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
 		if (part->number < 1 || part->number > part->of)
-			return fault_not_parts_file(part->path, error);
+			return refuse_non_parts_file(part->path, error);
 		if (!check_parts_alike(&parts->part[0], part, error))
 			return false;
 	}
 	if (parts->n_row > 1)
-		qsort(
-		    parts->row, parts->n_row, sizeof *parts->row, compare_rows);
+		qsort(parts->row, parts->n_row, sizeof *parts->row,
+		    compare_part_rows);
 	return check_each_part_once(parts, error);
 }

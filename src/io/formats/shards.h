@@ -40,7 +40,7 @@ struct parts {
 
 /* Adds the parts in a file, one on each line.  Returns false if the file cannot
  * be read or if a part has another format than PART_FORMAT. */
-bool parts_read_file(
+bool parts_read_result_file(
     const char *path, struct parts *parts, struct error *error);
 void parts_free(struct parts *parts);
 

@@ -18,7 +18,7 @@
 static const char *const HEADS[2] = {"min_pct", "max_pct"};
 
 bool
-spec_parse_cut(const char *text, double cut[static 2])
+spec_parse_fraction_sizes(const char *text, double cut[static 2])
 {
 	double mm[2];
 	const char *slash = strchr(text, '/');
@@ -34,10 +34,11 @@ spec_parse_cut(const char *text, double cut[static 2])
 }
 
 static void
-read_spec_cut(struct spec *spec, struct sheet *sheet, struct cell value)
+parse_spec_fraction_cell(
+    struct spec *spec, struct sheet *sheet, struct cell value)
 {
-	if (!spec_parse_cut(value.text, spec->cut))
-		sheet_fault_expected(sheet, value,
+	if (!spec_parse_fraction_sizes(value.text, spec->cut))
+		sheet_report_expected(sheet, value,
 		    "a fraction in mm such as 0/4",
 		    "leave the line out for limits on the whole product");
 }
@@ -45,32 +46,33 @@ read_spec_cut(struct spec *spec, struct sheet *sheet, struct cell value)
 /* Reads a key with its value.  Returns false for an unknown key, as in a
  * remark. */
 static bool
-spec_read_key(
+spec_parse_key_value(
     struct spec *spec, struct sheet *sheet, struct cell key, struct cell value)
 {
-	char **text = text_same_folded(key.text, "spec")     ? &spec->name
-		      : text_same_folded(key.text, "source") ? &spec->source
-							     : NULL;
-	if (text_same_folded(key.text, "cut")) {
-		read_spec_cut(spec, sheet, value);
+	char **text = text_is_same_folded(key.text, "spec")     ? &spec->name
+		      : text_is_same_folded(key.text, "source") ? &spec->source
+								: NULL;
+	if (text_is_same_folded(key.text, "cut")) {
+		parse_spec_fraction_cell(spec, sheet, value);
 		return true;
 	}
 	if (text != NULL)
-		xreplace(text, xstrdup(value.text));
+		xfree_and_set(text, xstrdup(value.text));
 	return text != NULL;
 }
 
 static void
-read_spec_heading(
+read_spec_key_lines(
     struct spec *spec, struct sheet *sheet, const struct layout *layout)
 {
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		if (row->n > 2)
-			sheet_fault_expected(sheet, row->cell[2],
+			sheet_report_expected(sheet, row->cell[2],
 			    "the end of the line after key and value",
 			    "quote a value that contains the separator");
-		spec_read_key(spec, sheet, row->cell[0], row_cell_at(row, 1));
+		spec_parse_key_value(
+		    spec, sheet, row->cell[0], row_cell_at(row, 1));
 	}
 }
 
@@ -83,10 +85,10 @@ read_keys_above_table(
 {
 	for (size_t i = 0; i < t->titles; i++) {
 		const struct row *row = &t->head[i];
-		if (row->n == 2 && spec_read_key(spec, sheet, row->cell[0],
-				       row_cell_at(row, 1)))
+		if (row->n == 2 && spec_parse_key_value(spec, sheet,
+				       row->cell[0], row_cell_at(row, 1)))
 			continue;
-		return sheet_fault_expected(sheet,
+		return sheet_report_expected(sheet,
 		    t->head[0].cell[t->n_col - 1],
 		    "the end of the line after key and value",
 		    "quote a value that contains the separator");
@@ -102,18 +104,18 @@ spec_find_limit_columns(const struct table *t, size_t at[static 2])
 	at[0] = at[1] = 0;
 	for (size_t i = 1; i < t->n_col; i++) {
 		struct cell head = t->head[t->n_head - 1].cell[i];
-		bool is_max = text_same_folded(head.text, HEADS[1]);
-		if ((is_max || text_same_folded(head.text, HEADS[0])) &&
+		bool is_max = text_is_same_folded(head.text, HEADS[1]);
+		if ((is_max || text_is_same_folded(head.text, HEADS[0])) &&
 		    at[is_max] == 0)
 			at[is_max] = i;
 		else if (head.text[0] != '\0')
-			sheet_fault_expected(t->sheet, head,
+			sheet_report_expected(t->sheet, head,
 			    "a column min_pct or max_pct, each once",
 			    "use size_mm,min_pct,max_pct; see "
 			    "tipspeed-spec(5)");
 	}
 	if (at[0] == 0 && at[1] == 0 && t->n_col < 2)
-		sheet_fault(t->sheet, site_sieve_heading_cell(t),
+		sheet_report_fault(t->sheet, site_sieve_heading_cell(t),
 		    "expected a column min_pct or max_pct, got none\n"
 		    "write this line as size_mm,min_pct,max_pct");
 }
@@ -130,7 +132,7 @@ parse_limit_of_row(const struct table *t, size_t row, size_t at)
 		return NAN;
 	if (v >= 0 && v <= 100)
 		return v / 100;
-	sheet_fault_expected(t->sheet, cell, "passing from 0 to 100 %",
+	sheet_report_expected(t->sheet, cell, "passing from 0 to 100 %",
 	    "leave the cell empty where there is no limit");
 	return NAN;
 }
@@ -138,7 +140,7 @@ parse_limit_of_row(const struct table *t, size_t row, size_t at)
 /* Checks that a limit does not rise from one sieve to the next finer one that
  * has a limit. */
 static void
-check_limits_fall(
+check_limits_never_rise(
     const struct table *t, const double *limit, size_t at, size_t at_most)
 {
 	char size[32];
@@ -147,7 +149,8 @@ check_limits_fall(
 		if (isnan(limit[i]))
 			continue;
 		if (limit[i] > last)
-			sheet_fault(t->sheet, row_cell_at(&t->row[i], at),
+			sheet_report_fault(t->sheet,
+			    row_cell_at(&t->row[i], at),
 			    "%s rises from %g to %g at %s mm (finer sieve, "
 			    "more passing)\n"
 			    "check this row and the one above: a limit cannot "
@@ -172,16 +175,16 @@ spec_read_limit_rows(
 		spec->least[i] = parse_limit_of_row(t, i, at[0]);
 		spec->most[i] = parse_limit_of_row(t, i, at[1]);
 		if (t->mm[i] <= 0)
-			sheet_fault_expected(t->sheet, cell, "a sieve size",
+			sheet_report_expected(t->sheet, cell, "a sieve size",
 			    "remove the row: an envelope has no pan");
 		if (spec->least[i] > spec->most[i])
-			sheet_fault(t->sheet, cell,
+			sheet_report_fault(t->sheet, cell,
 			    "expected min_pct <= max_pct, got %g above "
 			    "%g\nwere the two swapped?",
 			    100 * spec->least[i], 100 * spec->most[i]);
 	}
 	for (size_t i = 0; i < 2 && !t->lost; i++)
-		check_limits_fall(
+		check_limits_never_rise(
 		    t, i == 0 ? spec->least : spec->most, at[i], i);
 }
 
@@ -191,9 +194,9 @@ spec_read_table(struct spec *spec, struct table *t)
 	enum sieve_certainty certainty = site_sieve_find_unit_and_sort(t, 0);
 	size_t at[2];
 	spec_find_limit_columns(t, at);
-	site_sieve_check_sizes(t);
+	site_sieve_read_and_check(t);
 	if (certainty == SIEVES_OPEN)
-		sheet_fault_expected(t->sheet, site_sieve_heading_cell(t),
+		sheet_report_expected(t->sheet, site_sieve_heading_cell(t),
 		    "the unit of the sieves", "write size_mm");
 	spec_read_limit_rows(spec, t, at);
 }
@@ -202,15 +205,15 @@ static void
 spec_read_sheet(struct spec *spec, struct sheet *sheet)
 {
 	struct layout_range all = {0};
-	site_sieve_uncomment_numbers(sheet);
+	site_sieve_uncomment_astm_rows(sheet);
 	struct layout *layout = layout_new_of_sheet(sheet, all);
-	read_spec_heading(spec, sheet, layout);
+	read_spec_key_lines(spec, sheet, layout);
 	if (layout->n > 0 && layout->table[0].n_head > 0) {
 		read_keys_above_table(spec, sheet, &layout->table[0]);
 		spec_read_table(spec, &layout->table[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
-		sheet_fault_expected(sheet, row_cell_at(&none, 0),
+		sheet_report_expected(sheet, row_cell_at(&none, 0),
 		    "a line that begins with size_mm, and rows of sieves below "
 		    "it",
 		    "begin the table with size_mm,min_pct,max_pct and continue "
@@ -226,10 +229,10 @@ spec_read_file(const char *path, struct error_list *errors)
 	struct spec *spec = NULL;
 	if (source_read_sheets(path, errors, &source)) {
 		spec = spec_new();
-		xreplace(&spec->note, xstrdup(source.note));
+		xfree_and_set(&spec->note, xstrdup(source.note));
 		spec_read_sheet(spec, source.sheet[0]);
 		if (spec->name[0] == '\0')
-			xreplace(&spec->name, xstrdup(path));
+			xfree_and_set(&spec->name, xstrdup(path));
 		if (source.sheet[0]->n_fault > 0 || errors->stopped) {
 			spec_free(spec);
 			spec = NULL;

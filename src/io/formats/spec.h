@@ -31,6 +31,6 @@ void spec_free(struct spec *spec);
 
 /* Parses "0/4", in mm, as 0 and 0.004 m.  Returns false if the text does not
  * have this form. */
-bool spec_parse_cut(const char *text, double cut[static 2]);
+bool spec_parse_fraction_sizes(const char *text, double cut[static 2]);
 
 #endif

@@ -49,7 +49,8 @@ find_spec_by_name(const struct standards *all, const char *name)
 /* Inserts a row in its place, coarsest first; replaces a row with the same
  * sieve. */
 static void
-insert_limit_row(struct spec *spec, double size, double least, double most)
+insert_envelope_sieve_limits(
+    struct spec *spec, double size, double least, double most)
 {
 	size_t i = 0, n = spec->n;
 	while (i < n && spec->size[i] > size)
@@ -82,19 +83,19 @@ find_base_envelope(const struct standards *all, const char *name)
 }
 
 static struct spec *
-add_envelope(struct standards *all, const char *standard, const char *name,
-    const char *cut, const char *source)
+standards_add_envelope(struct standards *all, const char *standard,
+    const char *name, const char *cut, const char *source)
 {
 	struct spec *spec = spec_new();
-	xreplace(&spec->name, xstrdup(name));
-	xreplace(&spec->standard, xstrdup(standard));
-	xreplace(&spec->source, xstrdup(source));
-	bool ok = spec_parse_cut(cut, spec->cut);
+	xfree_and_set(&spec->name, xstrdup(name));
+	xfree_and_set(&spec->standard, xstrdup(standard));
+	xfree_and_set(&spec->source, xstrdup(source));
+	bool ok = spec_parse_fraction_sizes(cut, spec->cut);
 	assert(ok);
 	(void)ok;
 	const struct spec *base = find_base_envelope(all, name);
 	for (size_t i = 0; base != NULL && i < base->n; i++)
-		insert_limit_row(
+		insert_envelope_sieve_limits(
 		    spec, base->size[i], base->least[i], base->most[i]);
 	all->spec = xrealloc(all->spec, all->n + 1, sizeof(*all->spec));
 	all->spec[all->n++] = spec;
@@ -104,7 +105,7 @@ add_envelope(struct standards *all, const char *standard, const char *name,
 /* Adds what a row's source says in addition to that of the envelope's first
  * row, with its sieve: "0.15 mm: crushed stone sand: up to 20". */
 static void
-add_source_remark(struct spec *spec, const char *source, double mm)
+append_row_source_to_spec(struct spec *spec, const char *source, double mm)
 {
 	size_t n = strcspn(spec->source, ";");
 	size_t more = strlen(source);
@@ -127,12 +128,12 @@ read_envelope_row(
 	double mm = read_limit_cell(sheet, row, SIZE);
 	struct spec *spec = find_spec_by_name(all, name);
 	if (spec == NULL)
-		spec = add_envelope(
+		spec = standards_add_envelope(
 		    all, standard, name, row_cell_at(row, CUT).text, source);
-	insert_limit_row(spec, mm / 1000,
+	insert_envelope_sieve_limits(spec, mm / 1000,
 	    read_limit_cell(sheet, row, LEAST) / 100,
 	    read_limit_cell(sheet, row, MOST) / 100);
-	add_source_remark(spec, source, mm);
+	append_row_source_to_spec(spec, source, mm);
 }
 
 static void
@@ -157,10 +158,10 @@ standards_read_built_in_table(struct standards *all, const char *name,
     void (*read)(struct standards *, struct sheet *, const struct row *))
 {
 	struct error_list errors = {0};
-	FREED char *text = textfile_join_lines(line);
+	FREED char *text = textfile_join_built_in_lines(line);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
 	struct sheet *sheet = sheet_new_from_text(name, text, most, &errors);
-	number_choose_decimal_sign(sheet);
+	number_detect_decimal_sign(sheet);
 	for (size_t i = 1; i < sheet->n_row; i++)
 		read(all, sheet, &sheet->row[i]);
 	/* These tables are part of the program, and tests read all of them. */
@@ -220,7 +221,7 @@ score_word_match(const char *name, const char *word)
 
 /* Returns the smallest score_word_match of the words. */
 static int
-score_words_match(const char *name, const char *words)
+lowest_word_match_score(const char *name, const char *words)
 {
 	FREED char *folded = text_fold_case_and_accents(name),
 		   *all = text_fold_case_and_accents(words);
@@ -238,17 +239,17 @@ score_words_match(const char *name, const char *words)
  * they contain a number, as that of its standard, "C33", or all of its own
  * name, "zone II"; but not "ASTM" alone. */
 static bool
-do_words_mean_plain_variant(const struct spec *spec, const char *folded)
+do_words_name_base_envelope(const struct spec *spec, const char *folded)
 {
 	return folded[strcspn(folded, "0123456789")] != '\0' ||
-	       score_words_match(folded, spec->name + strlen(spec->standard)) ==
-		   2;
+	       lowest_word_match_score(
+		   folded, spec->name + strlen(spec->standard)) == 2;
 }
 
 /* True if a name is the same as another one, of `length` bytes, or begins with
  * it and a space. */
 static bool
-standards_is_or_extends_name(const char *name, const char *other, size_t length)
+standards_has_name_prefix(const char *name, const char *other, size_t length)
 {
 	return strncmp(name, other, length) == 0 &&
 	       (name[length] == '\0' || name[length] == ' ');
@@ -257,7 +258,7 @@ standards_is_or_extends_name(const char *name, const char *other, size_t length)
 /* If all marked names begin with one of them, and the words mean that one,
  * keeps only that.  Returns the number of marked names. */
 static size_t
-keep_only_base_envelope(
+unmark_all_but_base_envelope(
     const struct standards *all, const char *folded, bool *match, size_t n)
 {
 	for (size_t i = 0; i < all->n; i++) {
@@ -265,10 +266,10 @@ keep_only_base_envelope(
 		size_t length = strlen(name), begin = 0;
 		for (size_t j = 0; j < all->n; j++)
 			begin +=
-			    match[j] && standards_is_or_extends_name(
+			    match[j] && standards_has_name_prefix(
 					    all->spec[j]->name, name, length);
 		if (!match[i] || begin < n ||
-		    !do_words_mean_plain_variant(all->spec[i], folded))
+		    !do_words_name_base_envelope(all->spec[i], folded))
 			continue;
 		memset(match, 0, all->n * sizeof *match);
 		match[i] = true;
@@ -278,19 +279,19 @@ keep_only_base_envelope(
 }
 
 size_t
-standards_mark_matches(
+standards_mark_envelopes_named(
     const struct standards *all, const char *words, bool *match)
 {
 	FREED char *folded = text_fold_case_and_accents(words);
 	size_t n = 0, full = 0;
 	FREED int *in = xcalloc(all->n + 1, sizeof *in);
 	for (size_t i = 0; i < all->n; i++) {
-		in[i] = score_words_match(all->spec[i]->name, folded);
+		in[i] = lowest_word_match_score(all->spec[i]->name, folded);
 		full += in[i] == 2;
 	}
 	for (size_t i = 0; i < all->n; i++)
 		n += match[i] = in[i] >= (full > 0 ? 2 : 1);
-	n = n > 1 ? keep_only_base_envelope(all, folded, match, n) : n;
+	n = n > 1 ? unmark_all_but_base_envelope(all, folded, match, n) : n;
 	return n;
 }
 
@@ -320,7 +321,7 @@ standards_find_envelope(
     const struct standards *all, const char *words, struct error *error)
 {
 	FREED bool *match = xcalloc(all->n, sizeof *match);
-	size_t n = standards_mark_matches(all, words, match), at = 0;
+	size_t n = standards_mark_envelopes_named(all, words, match), at = 0;
 	while (at < all->n && !match[at])
 		at++;
 	FREED char *list = xstrdup("");

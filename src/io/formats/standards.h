@@ -33,7 +33,7 @@ void standards_free(struct standards *standards);
  * case.  If some names contain all the words in full, only those match.  If
  * several match, and one is the beginning of all others, only that one does,
  * provided the words contain a number or all of its name. */
-size_t standards_mark_matches(
+size_t standards_mark_envelopes_named(
     const struct standards *standards, const char *words, bool *match);
 
 /* Returns the envelope that the words name, or NULL with an error that lists

@@ -151,9 +151,9 @@ remove_oldest_autosaves(void)
 }
 
 static bool
-report_cannot_make(const char *what, int reason, struct error *error)
+report_cannot_create_path(const char *what, int reason, struct error *error)
 {
-	return error_at(
+	return error_set_at(
 	    error, ERROR_SYSTEM, what, 0, 0, "%s", strerror(reason));
 }
 
@@ -175,14 +175,14 @@ make_autosave_file(struct autosave_file *kept, struct error *error)
 			return error_set(
 			    error, ERROR_SYSTEM, "HOME is not set");
 		FREED char *closed = xdg_make_parent_folders(kept->path);
-		bool made =
-		    closed == NULL || report_cannot_make(closed, errno, error);
+		bool made = closed == NULL ||
+			    report_cannot_create_path(closed, errno, error);
 		if (made)
 			fd = open(kept->path,
 			    O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
 		if (!made || (fd < 0 && errno != EEXIST))
-			return made &&
-			       report_cannot_make(kept->path, errno, error);
+			return made && report_cannot_create_path(
+					   kept->path, errno, error);
 	}
 	kept->fd = fd;
 	flock(fd, LOCK_EX);
@@ -200,7 +200,7 @@ autosave_file_write(struct autosave_file *kept,
 		autosave_file_close(kept);
 		return false;
 	}
-	if (!file_replace_by_output(
+	if (!file_replace_using_writer(
 		kept->path, FILE_PRIVATE, write, data, error)) {
 		if (first)
 			autosave_file_remove(kept);

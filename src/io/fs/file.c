@@ -204,7 +204,7 @@ copy_owner_and_mode(int fd, const struct stat *old)
 /* Writes a new file and renames it to path.  old: about the existing file, or
  * NULL.  Returns false with errno on failure. */
 static bool
-write_and_rename(const char *path, const struct stat *old,
+write_file_and_rename(const char *path, const struct stat *old,
     enum file_rights rights, const char *bytes, size_t n)
 {
 	char *folder = folder_of_path(path), *name = NULL;
@@ -234,7 +234,7 @@ write_and_rename(const char *path, const struct stat *old,
 /* Returns false with errno if the path is a folder or cannot be looked up.
  * *there: it exists. */
 static bool
-stat_file_not_folder(const char *path, struct stat *about, bool *there)
+stat_file_to_write(const char *path, struct stat *about, bool *there)
 {
 	*there = stat(path, about) == 0;
 	if (*there && S_ISDIR(about->st_mode))
@@ -260,7 +260,7 @@ file_replace_contents(const char *path, enum file_rights rights,
 {
 	struct stat about;
 	bool there;
-	if (!stat_file_not_folder(path, &about, &there))
+	if (!stat_file_to_write(path, &about, &there))
 		return report_cannot_write(path, errno, error);
 	if (there && (!S_ISREG(about.st_mode) || is_standard_output(path)))
 		return file_append_bytes(path, rights, bytes, n, error);
@@ -271,15 +271,15 @@ file_replace_contents(const char *path, enum file_rights rights,
 	sigset_t all, before;
 	sigfillset(&all);
 	sigprocmask(SIG_BLOCK, &all, &before);
-	bool good =
-	    write_and_rename(target, there ? &about : NULL, rights, bytes, n);
+	bool good = write_file_and_rename(
+	    target, there ? &about : NULL, rights, bytes, n);
 	int reason = errno;
 	sigprocmask(SIG_SETMASK, &before, NULL);
 	return good || report_cannot_write(path, reason, error);
 }
 
 bool
-file_replace_by_output(const char *path, enum file_rights rights,
+file_replace_using_writer(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error)
 {
@@ -352,7 +352,7 @@ file_check_writable(const char *path, struct error *error)
 {
 	struct stat about;
 	bool there;
-	if (!stat_file_not_folder(path, &about, &there))
+	if (!stat_file_to_write(path, &about, &there))
 		return report_cannot_write(path, errno, error);
 	FREED char *target = resolve_symlinks(path),
 		   *folder = folder_of_path(target);

@@ -25,7 +25,7 @@ bool file_replace_contents(const char *path, enum file_rights rights,
 
 /* As file_replace_contents, with what `write` prints, which is collected in
  * memory first. */
-bool file_replace_by_output(const char *path, enum file_rights rights,
+bool file_replace_using_writer(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
 

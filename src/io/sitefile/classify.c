@@ -192,7 +192,7 @@ summarise_column_numbers(const struct column *c)
 	    .most_of_all = -INFINITY};
 	double before = NAN;
 	for (size_t i = 0; i < t->n_row; i++) {
-		double v = site_column_number_in_row(c, i);
+		double v = site_column_value_in_row(c, i);
 		s.filled += t->row[i].cell[c->at].value != AS_ABSENT;
 		s.pairs += !isnan(v) && !isnan(before);
 		s.steps += fabs(v - before) == 1;
@@ -234,7 +234,7 @@ stated_total_of_column(const struct column *c)
 	double v;
 	for (size_t i = 0; i < t->n_foot; i++) {
 		uint64_t means =
-		    lexicon_meanings(t->foot[i].cell[0].text, NULL);
+		    lexicon_text_meanings(t->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
 		    number_value_of_cell(t->foot[i].cell[c->at], &v))
 			return v;
@@ -245,7 +245,7 @@ stated_total_of_column(const struct column *c)
 /* Guesses from the sum of the numbers retained whether they are per cent,
  * fractions or masses.  Returns false if it is unclear. */
 static bool
-guess_scale_from_sum(
+guess_retained_unit_from_sum(
     const struct shape *s, double total, enum unit_scale *scale)
 {
 	/* Without a pan, the finest part is missing from the sum. */
@@ -286,14 +286,14 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 	}
 	if (hill) {
 		*kind = RETAINED;
-		return guess_scale_from_sum(s, total, scale);
+		return guess_retained_unit_from_sum(s, total, scale);
 	}
 	if (s->rises > 0) {
 		*kind = CUMULATIVE;
 		double end = s->has_pan ? s->pan : s->last;
 		if (s->has_pan && s->pan < s->last) {
 			*kind = RETAINED;
-			return guess_scale_from_sum(s, total, scale);
+			return guess_retained_unit_from_sum(s, total, scale);
 		}
 		if (end > 101)
 			*scale = OF_MASS;
@@ -304,7 +304,8 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 	}
 	if (s->has_pan && s->pan > 0.015 * s->most) {
 		*kind = RETAINED; /* nothing passes the pan */
-		return guess_scale_from_sum(s, total, scale) && s->n > 2;
+		return guess_retained_unit_from_sum(s, total, scale) &&
+		       s->n > 2;
 	}
 	*kind = PASSING;
 	if (s->most > 100.5) {
@@ -322,7 +323,7 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 
 /* True if the numbers can be the quantity that the heading states. */
 static bool
-is_possible_quantity(const struct shape *s, enum unit_kind kind)
+can_numbers_be_quantity(const struct shape *s, enum unit_kind kind)
 {
 	bool falls = s->rises == 0 && s->falls > 0;
 	bool rises = s->falls == 0 && s->rises > 0;
@@ -363,8 +364,8 @@ choose_mass_or_cumulative(
 /* Finds the scale that the heading states and the numbers allow.  Returns false
  * if it is unclear. */
 static bool
-choose_unit_scale(struct column *c, const struct shape *s, enum unit_kind kind,
-    double total, enum unit_scale *scale)
+choose_percent_or_grams(struct column *c, const struct shape *s,
+    enum unit_kind kind, double total, enum unit_scale *scale)
 {
 	uint64_t means = c->said.means;
 	double whole = kind == RETAINED  ? s->sum
@@ -375,7 +376,7 @@ choose_unit_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 	/* "g or %": the numbers decide. */
 	if ((means & WORD_PERCENT) != 0 && (means & WORD_GRAMS) != 0)
 		return kind == RETAINED &&
-		       guess_scale_from_sum(s, total, scale);
+		       guess_retained_unit_from_sum(s, total, scale);
 	if ((means & WORD_PERCENT) != 0) {
 		*scale = OF_100;
 		if (!one || s->most <= 0)
@@ -400,7 +401,7 @@ choose_unit_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		return true;
 	}
 	if (kind == RETAINED)
-		return guess_scale_from_sum(s, total, scale);
+		return guess_retained_unit_from_sum(s, total, scale);
 	*scale = one ? OF_1 : OF_100;
 	if (s->most > 100.5) {
 		*scale = OF_MASS;
@@ -426,7 +427,8 @@ is_unit_defined_by_heading(
 	if (c->said.unknown > 0 || (!own && (!told || words == 0)))
 		return false;
 	for (size_t i = 0; i < SITE_N_UNIT; i++)
-		if (lexicon_meanings(SITE_UNITS[i].suffix, NULL) == words) {
+		if (lexicon_text_meanings(SITE_UNITS[i].suffix, NULL) ==
+		    words) {
 			*unit = i;
 			return words != 0 ||
 			       ((s->rises == 0 || s->falls == 0 ||
@@ -457,7 +459,7 @@ refuse_small_percentages(struct column *c, const struct shape *s)
 	    !is_within_percent(
 		unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
 		return;
-	sheet_fault(c->table->sheet, c->head,
+	sheet_report_fault(c->table->sheet, c->head,
 	    "expected %s, got nothing above 1 in column %zu\ncall it fraction, "
 	    "retained_fraction or cum_retained_fraction",
 	    tr(unit->words), c->table->number[c->at]);
@@ -467,7 +469,8 @@ refuse_small_percentages(struct column *c, const struct shape *s)
  * that the title states.  Returns false if the numbers clearly are something
  * else. */
 static bool
-take_unit_from_title(struct column *c, const struct shape *s, double total)
+add_title_quantity_to_column(
+    struct column *c, const struct shape *s, double total)
 {
 	uint64_t title = c->table->basis;
 	enum unit_kind kind;
@@ -491,16 +494,17 @@ guess_quantity_in_stated_unit(struct column *c, const struct shape *s,
 	bool grams = (scales & WORD_GRAMS) != 0 &&
 		     (scales & WORD_PERCENT) == 0 && *kind == RETAINED &&
 		     s->rises > 0 && s->falls > 0;
-	return scales == 0 ? sure
-			   : choose_unit_scale(c, s, *kind, total, scale) &&
-				 (sure || grams);
+	return scales == 0
+		   ? sure
+		   : choose_percent_or_grams(c, s, *kind, total, scale) &&
+			 (sure || grams);
 }
 
 /* Takes the quantity that the headings state.  Returns false if it is
  * unclear. */
 static bool
-read_quantity_from_words(struct column *c, const struct shape *s, double total,
-    bool told, enum unit_kind *kind, enum unit_scale *scale)
+read_column_quantity_of_heading(struct column *c, const struct shape *s,
+    double total, bool told, enum unit_kind *kind, enum unit_scale *scale)
 {
 	uint64_t kinds = c->said.means & KIND_WORDS;
 	bool sure = true;
@@ -511,8 +515,8 @@ read_quantity_from_words(struct column *c, const struct shape *s, double total,
 	bool both = (kinds & WORD_PASSES) != 0 && (kinds & WORD_STAYS) != 0;
 	if (*kind == RETAINED && s->falls == 0 && s->rises > 1 && !told)
 		sure = choose_mass_or_cumulative(c, s, total, kind);
-	sure = choose_unit_scale(c, s, *kind, total, scale) && sure;
-	bool possible = told || is_possible_quantity(s, *kind);
+	sure = choose_percent_or_grams(c, s, *kind, total, scale) && sure;
+	bool possible = told || can_numbers_be_quantity(s, *kind);
 	if (!possible) /* then propose what the numbers suggest */
 		guess_quantity_from_numbers(s, total, kind, scale);
 	bool falls = s->falls > 0 && s->rises == 0 && s->sum > 102;
@@ -534,7 +538,7 @@ has_masses_down_to_next_size(const struct column *c, const struct shape *s)
 }
 
 static void
-find_unit_of_column(struct column *c, bool told)
+infer_column_quantity_and_unit(struct column *c, bool told)
 {
 	struct shape s = summarise_column_numbers(c);
 	double total = stated_total_of_column(c);
@@ -551,13 +555,13 @@ find_unit_of_column(struct column *c, bool told)
 	enum unit_scale scale;
 	bool title = !told && c->table->basis != 0 &&
 		     (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
-	bool sure = !title || take_unit_from_title(c, &s, total);
+	bool sure = !title || add_title_quantity_to_column(c, &s, total);
 	bool words = (c->said.means & (WORD_PASSES | WORD_STAYS)) != 0;
-	sure =
-	    (words ? read_quantity_from_words(c, &s, total, told, &kind, &scale)
-		   : guess_quantity_in_stated_unit(
-			 c, &s, total, &kind, &scale)) &&
-	    sure;
+	sure = (words ? read_column_quantity_of_heading(
+			    c, &s, total, told, &kind, &scale)
+		      : guess_quantity_in_stated_unit(
+			    c, &s, total, &kind, &scale)) &&
+	       sure;
 	c->unit = site_unit_index(kind, scale);
 	bool usual = words || (kind == PASSING && scale == OF_100);
 	if (!title && (!usual || (c->said.means & SCALE_WORDS) == 0))
@@ -575,7 +579,7 @@ find_unit_of_column(struct column *c, bool told)
  * to 100; if whole, from 40 on, and in a heading where it cannot number the
  * sample. */
 static double
-speed_without_unit(const struct head *said)
+unitless_speed_in_heading(const struct head *said)
 {
 	double found = 0;
 	bool numbered =
@@ -606,19 +610,20 @@ is_number_heading_but_no_speed(const struct head *said)
 }
 
 static void
-find_speed_of_column(struct column *c, const struct surroundings *near)
+infer_column_speed(struct column *c, const struct surroundings *near)
 {
 	const struct head *said = &c->said;
 	bool told_rpm = said->rpm == 0 && !(near->speed > 0) && near->rpm > 0 &&
-			c->role == PRODUCT && !(speed_without_unit(said) > 0);
+			c->role == PRODUCT &&
+			!(unitless_speed_in_heading(said) > 0);
 	c->open = c->open || said->several;
 	if (said->speed > 0) {
 		c->speed = said->speed;
 	} else if (said->rpm > 0 || told_rpm) {
 		c->rpm = told_rpm ? near->rpm : said->rpm;
 		c->speed = speed_in_unit_to_mps(c->rpm, SPEED_RPM, near->rotor);
-	} else if (speed_without_unit(said) > 0 && said->unknown == 0) {
-		c->speed = speed_without_unit(said);
+	} else if (unitless_speed_in_heading(said) > 0 && said->unknown == 0) {
+		c->speed = unitless_speed_in_heading(said);
 		/* A speed that spreads over the feed from the left may not be
 		 * its own. */
 		if (c->role != FEED || !said->spread)
@@ -637,7 +642,7 @@ find_speed_of_column(struct column *c, const struct surroundings *near)
 }
 
 static void
-find_role_of_column(struct column *c, const struct surroundings *near)
+infer_column_role(struct column *c, const struct surroundings *near)
 {
 	uint64_t role = c->said.means & ROLE_WORDS;
 	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
@@ -659,7 +664,8 @@ find_role_of_column(struct column *c, const struct surroundings *near)
 		c->role = PRODUCT;
 	else if (context == WORD_PRODUCT)
 		c->role = PRODUCT;
-	else if (speed_without_unit(&c->said) > 0 && c->said.unknown == 0)
+	else if (unitless_speed_in_heading(&c->said) > 0 &&
+		 c->said.unknown == 0)
 		c->role = PRODUCT;
 }
 
@@ -685,10 +691,10 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 /* True if a column counts 1, 2, 3 and so on, up or down, or has the same number
  * throughout: it is not a curve. */
 static bool
-is_column_count_or_constant(const struct column *c, const struct shape *s)
+is_counting_or_constant_column(const struct column *c, const struct shape *s)
 {
-	double first = site_column_number_in_row(c, 0),
-	       last = site_column_number_in_row(c, c->table->n_row - 1);
+	double first = site_column_value_in_row(c, 0),
+	       last = site_column_value_in_row(c, c->table->n_row - 1);
 	bool whole = first == floor(first);
 	bool small = fabs(first - 1) < 2 || fabs(last - 1) < 2;
 	bool constant = s->same == s->pairs;
@@ -703,7 +709,7 @@ is_column_count_or_constant(const struct column *c, const struct shape *s)
 /* Leaves out a column that is not a sample, and notes why.  Returns true if it
  * was left out. */
 static bool
-leave_out_if_no_sample(const struct column *c, struct site *site)
+leave_out_non_sample_column(const struct column *c, struct site *site)
 {
 	struct shape s = summarise_column_numbers(c);
 	bool words = s.numbers * 2 < s.filled;
@@ -712,7 +718,7 @@ leave_out_if_no_sample(const struct column *c, struct site *site)
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
 	/* An empty column sd@70 says that a repeat has no deviations. */
 	bool deviation = (means & WORD_SD) != 0 && heading_has_speed(&c->said);
-	if (is_column_count_or_constant(c, &s)) {
+	if (is_counting_or_constant_column(c, &s)) {
 		leave_out(site, c,
 		    "row numbers, or the same "
 		    "number in each row");
@@ -739,7 +745,7 @@ leave_out_if_no_sample(const struct column *c, struct site *site)
 /* Takes the speed of all samples from a column that repeats it in each row, as
  * in a long table with one sample. */
 static void
-take_speed_from_constant_column(
+set_speed_from_constant_column(
     const struct column *c, struct surroundings *near)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
@@ -770,7 +776,7 @@ refuse_tare_column(const struct column *column, size_t n)
 			     (c->said.means & (KIND_WORDS | ROLE_WORDS)) == 0;
 		if (whole && tare > 0 && s.least_of_all >= tare &&
 		    s.most_of_all > tare)
-			sheet_fault(c->table->sheet,
+			sheet_report_fault(c->table->sheet,
 			    c->table->row[0].cell[c->at],
 			    "expected masses retained, got nothing below %g in "
 			    "column %zu: empty and full sieves?\nwrite their "
@@ -783,7 +789,7 @@ refuse_tare_column(const struct column *column, size_t n)
 
 /* Returns a new column with what its headings state. */
 static struct column
-column_from_headings(struct table *t, size_t at)
+make_column_from_headings(struct table *t, size_t at)
 {
 	struct column c = {.table = t, .at = at, .pan = NAN};
 	bool own = false;
@@ -807,9 +813,9 @@ classify_columns(struct table *t, const struct surroundings *near,
 	struct error_list *errors = t->sheet->errors;
 	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
 	size_t n = 0;
-	for (; n + 1 < t->n_col && !error_should_stop(errors); n++) {
-		column[n] = column_from_headings(t, n + 1);
-		take_speed_from_constant_column(&column[n], &around);
+	for (; n + 1 < t->n_col && !error_is_stop_requested(errors); n++) {
+		column[n] = make_column_from_headings(t, n + 1);
+		set_speed_from_constant_column(&column[n], &around);
 		around.counted =
 		    around.counted ||
 		    is_number_heading_but_no_speed(&column[n].said);
@@ -818,22 +824,23 @@ classify_columns(struct table *t, const struct surroundings *near,
 		refuse_tare_column(column, n);
 	all->column =
 	    xrealloc(all->column, all->n + t->n_col, sizeof *all->column);
-	for (size_t i = 0; i < n && !error_should_stop(errors); i++) {
+	for (size_t i = 0; i < n && !error_is_stop_requested(errors); i++) {
 		struct column c = column[i];
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
 		bool named = around.samples->n > 0;
 		bool sheet = samples_is_sheet_named(around.samples, t->sheet);
-		if (((!named || sheet) && leave_out_if_no_sample(&c, site)) ||
+		if (((!named || sheet) &&
+			leave_out_non_sample_column(&c, site)) ||
 		    (named && !samples_apply_to_column(around.samples, &c)))
 			continue;
-		find_role_of_column(&c, &around);
-		find_speed_of_column(&c, &around);
+		infer_column_role(&c, &around);
+		infer_column_speed(&c, &around);
 		/* In a line, an empty cell below a speed may mean the same
 		 * speed, or have been forgotten. */
 		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
-		find_unit_of_column(&c, around.told);
+		infer_column_quantity_and_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
 }
@@ -842,7 +849,7 @@ static bool
 is_reading_interrupted(const struct columns *all)
 {
 	return all->n > 0 &&
-	       error_should_stop(all->column[0].table->sheet->errors);
+	       error_is_stop_requested(all->column[0].table->sheet->errors);
 }
 
 static void
@@ -858,7 +865,7 @@ drop_column(struct columns *all, size_t i)
  * first, because they are exact and include the pan, then those that need the
  * least conversion. */
 static int
-rank_column_by_quantity(const struct column *c)
+column_preference_by_quantity(const struct column *c)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (c->open)
@@ -873,11 +880,11 @@ rank_column_by_quantity(const struct column *c)
 static char *
 sample_name_from_headings(const struct column *c)
 {
-	FREED char *head = layout_heading_text(c->table, c->at);
+	FREED char *head = layout_column_heading_text(c->table, c->at);
 	char *rest = head, *name = xstrdup("");
 	for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
 		size_t unknown, n = strlen(word);
-		lexicon_meanings(word, &unknown);
+		lexicon_text_meanings(word, &unknown);
 		if ((unknown > 0 && n > 1) ||
 		    strpbrk(word, "0123456789") != NULL)
 			xappend_to_list(&name, " ", "%s", word);
@@ -891,7 +898,7 @@ has_same_sample_name(const struct column *a, const struct column *b)
 {
 	FREED char *one = sample_name_from_headings(a),
 		   *other = sample_name_from_headings(b);
-	return text_same_folded(one, other);
+	return text_is_same_folded(one, other);
 }
 
 /* True if two columns are the same sample in two quantities, at least one of
@@ -920,7 +927,7 @@ is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 
 /* Marks a column that is only compared with another. */
 static void
-mark_as_comparison_only(struct column *c, const struct column *other)
+mark_column_comparison_only(struct column *c, const struct column *other)
 {
 	c->twin = other->table->number[other->at];
 	c->role = NO_ROLE;
@@ -934,7 +941,7 @@ mark_as_comparison_only(struct column *c, const struct column *other)
 static char *
 distinctive_words_of_sample(const struct column *c)
 {
-	FREED char *head = layout_heading_text(c->table, c->at);
+	FREED char *head = layout_column_heading_text(c->table, c->at);
 	FREED char *folded = text_fold_case_and_accents(head);
 	char *words = xstrdup("");
 	for (char *p = folded; *p != '\0';) {
@@ -948,7 +955,7 @@ distinctive_words_of_sample(const struct column *c)
 		bool time =
 		    datetime_parse(word, &m) || lexicon_is_word_of_time(word);
 		size_t unknown;
-		lexicon_meanings(word, &unknown);
+		lexicon_text_meanings(word, &unknown);
 		char *end = word + strcspn(word, "0123456789");
 		bool machine = *end != '\0' && (lexicon_word_meanings(word,
 						    (size_t)(end - word)) &
@@ -964,7 +971,7 @@ distinctive_words_of_sample(const struct column *c)
  * and y, are the same, and they do not come from machines with different
  * numbers. */
 static bool
-are_possible_repeats(const struct column *a, const char *x,
+may_samples_be_repeats(const struct column *a, const char *x,
     const struct column *b, const char *y)
 {
 	bool machine = ((a->said.means | b->said.means) & WORD_MACHINE) != 0;
@@ -976,7 +983,8 @@ are_possible_repeats(const struct column *a, const char *x,
 /* Marks as open the products of a table that row r of its headings gives to
  * different sites or machines. */
 static void
-open_if_other_site(struct columns *all, const struct table *t, size_t r)
+mark_products_of_different_sites(
+    struct columns *all, const struct table *t, size_t r)
 {
 	const struct cell *cell = t->head[r].cell;
 	struct column *first = NULL;
@@ -986,7 +994,7 @@ open_if_other_site(struct columns *all, const struct table *t, size_t r)
 		    cell[c->at].text[0] == '\0')
 			continue;
 		first = first != NULL ? first : c;
-		if (text_same_folded(cell[first->at].text, cell[c->at].text))
+		if (text_is_same_folded(cell[first->at].text, cell[c->at].text))
 			continue;
 		c->open = first->open = true;
 		c->whose = cell[c->at].text;
@@ -995,7 +1003,7 @@ open_if_other_site(struct columns *all, const struct table *t, size_t r)
 }
 
 static void
-open_samples_of_other_sites(struct columns *all)
+mark_other_site_samples_to_ask(struct columns *all)
 {
 	const struct table *t = NULL;
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
@@ -1004,15 +1012,15 @@ open_samples_of_other_sites(struct columns *all)
 		t = all->column[i].table;
 		for (size_t r = 0; r < t->n_head; r++) {
 			enum lexicon_key key =
-			    lexicon_key_from_text(t->head[r].cell[0].text);
+			    lexicon_site_key_of_text(t->head[r].cell[0].text);
 			if (key == KEY_SITE || key == KEY_MACHINE)
-				open_if_other_site(all, t, r);
+				mark_products_of_different_sites(all, t, r);
 		}
 	}
 }
 
 static void
-open_unlike_repeats(struct columns *all)
+mark_unlike_repeats_to_ask(struct columns *all)
 {
 	FREED char **words = xcalloc(all->n, sizeof(*words));
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
@@ -1025,7 +1033,7 @@ open_unlike_repeats(struct columns *all)
 			if (words[k] == NULL ||
 			    fabs(a->speed - b->speed) > 1e-3 ||
 			    a->table != b->table ||
-			    are_possible_repeats(a, words[i], b, words[k]))
+			    may_samples_be_repeats(a, words[i], b, words[k]))
 				continue;
 			a->open = b->open = a->unlike = b->unlike = true;
 		}
@@ -1061,7 +1069,7 @@ drop_mean_columns(struct columns *all, struct site *site)
 }
 
 static void
-drop_duplicate_quantities(struct columns *all, struct site *site)
+drop_columns_of_same_sample(struct columns *all, struct site *site)
 {
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++)
 		for (size_t k = 0; k < all->n; k++) {
@@ -1069,17 +1077,17 @@ drop_duplicate_quantities(struct columns *all, struct site *site)
 			const struct column *b = &all->column[k];
 			if (i == k || a->twin > 0 || b->twin > 0 ||
 			    !is_same_sample_in_other_quantity(a, b) ||
-			    rank_column_by_quantity(a) <
-				rank_column_by_quantity(b) ||
-			    (rank_column_by_quantity(a) ==
-				    rank_column_by_quantity(b) &&
+			    column_preference_by_quantity(a) <
+				column_preference_by_quantity(b) ||
+			    (column_preference_by_quantity(a) ==
+				    column_preference_by_quantity(b) &&
 				i < k))
 				continue;
 			leave_out(site, a,
 			    "%s: the sample of column %zu again, as %s",
 			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
-			mark_as_comparison_only(&all->column[i], b);
+			mark_column_comparison_only(&all->column[i], b);
 			break;
 		}
 }
@@ -1098,7 +1106,7 @@ column_looks_like_curve(const struct column *c)
 /* If there is only one feed, makes it the feed of all runs, even if the speed
  * to its left spreads over it. */
 static void
-set_feed_for_all_runs(struct columns *all)
+use_only_feed_for_all_runs(struct columns *all)
 {
 	struct column *only = NULL;
 	size_t n = 0;
@@ -1113,16 +1121,18 @@ set_feed_for_all_runs(struct columns *all)
 
 /* Returns false if two feeds have the same heading, as they may be repeats. */
 static bool
-are_feeds_named_apart(const struct columns *all)
+are_feed_headings_distinct(const struct columns *all)
 {
 	for (size_t i = 0; i < all->n; i++)
 		for (size_t k = 0; k < i; k++) {
 			const struct column *a = &all->column[i],
 					    *b = &all->column[k];
-			FREED char *one = layout_heading_text(a->table, a->at);
-			FREED char *two = layout_heading_text(b->table, b->at);
+			FREED char *one =
+			    layout_column_heading_text(a->table, a->at);
+			FREED char *two =
+			    layout_column_heading_text(b->table, b->at);
 			if (a->role == FEED && b->role == FEED &&
-			    text_same_folded(one, two))
+			    text_is_same_folded(one, two))
 				return false;
 		}
 	return true;
@@ -1147,14 +1157,14 @@ are_feeds_in_order_of_products(const struct columns *all)
 		feeds += feed;
 		changes += i > 0 && c->role != c[-1].role;
 	}
-	return 2 * feeds == all->n &&
-	       ((feeds >= 2 && changes + 1 == all->n) ||
-		   (feeds >= 3 && changes == 1 && are_feeds_named_apart(all)));
+	return 2 * feeds == all->n && ((feeds >= 2 && changes + 1 == all->n) ||
+					  (feeds >= 3 && changes == 1 &&
+					      are_feed_headings_distinct(all)));
 }
 
 /* Gives each feed the speed of a product, in their order. */
 static void
-pair_feeds_with_products(struct columns *all)
+assign_product_speeds_to_feeds(struct columns *all)
 {
 	if (!are_feeds_in_order_of_products(all))
 		return;
@@ -1207,8 +1217,8 @@ void
 classify_columns_together(
     struct columns *all, struct site *site, bool told, bool *wants_rotor)
 {
-	size_t feeds = site_column_count_role(all, NULL, FEED);
-	size_t products = site_column_count_role(all, NULL, PRODUCT);
+	size_t feeds = site_column_count_by_role(all, NULL, FEED);
+	size_t products = site_column_count_by_role(all, NULL, PRODUCT);
 	*wants_rotor = false;
 	for (size_t i = 0; i < all->n; i++)
 		*wants_rotor = *wants_rotor || (all->column[i].rpm > 0 &&
@@ -1227,13 +1237,13 @@ classify_columns_together(
 		}
 	}
 	drop_mean_columns(all, site);
-	drop_duplicate_quantities(all, site);
+	drop_columns_of_same_sample(all, site);
 	guess_feed_column(all, feeds);
-	set_feed_for_all_runs(all);
-	pair_feeds_with_products(all);
+	use_only_feed_for_all_runs(all);
+	assign_product_speeds_to_feeds(all);
 	if (!told) {
-		open_unlike_repeats(all);
-		open_samples_of_other_sites(all);
+		mark_unlike_repeats_to_ask(all);
+		mark_other_site_samples_to_ask(all);
 	}
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		struct column *c = &all->column[i];

@@ -100,7 +100,7 @@ speed_in_unit_to_mps(double number, enum speed_unit unit, double rotor)
 
 /* True if speeds in this unit have four digits or more. */
 static bool
-are_unit_speeds_in_thousands(enum speed_unit unit)
+is_unit_of_four_digit_speeds(enum speed_unit unit)
 {
 	return unit == SPEED_RPM || unit == SPEED_FT_MIN;
 }
@@ -153,13 +153,13 @@ parse_number_at(const char **text, double *value)
 	if (parts == 1 && after == 0 && group > 0 && n <= 3 &&
 	    strspn(p + group, DIGITS) == 3) {
 		const char *end = p + group + 3;
-		if (are_unit_speeds_in_thousands(
+		if (is_unit_of_four_digit_speeds(
 			speed_unit_at(end + strspn(end, " "), &k))) {
 			strncat(copy, end - 3, 3);
 			*text = end;
 		}
 	} else if (after == 3 &&
-		   are_unit_speeds_in_thousands(speed_unit_at(blank, &k))) {
+		   is_unit_of_four_digit_speeds(speed_unit_at(blank, &k))) {
 		memmove(strchr(copy, '.'), strchr(copy, '.') + 1, 4);
 	}
 	return parts == 1 && text_parse_number(copy, value);
@@ -179,7 +179,7 @@ skip_unit_of_mass(const char *text)
 /* Adds a number to the heading, with the unit that follows it at *text, and
  * moves *text past the unit. */
 static void
-add_number_to_heading(
+add_number_to_parsed_heading(
     struct head *head, const char **text, double value, bool at)
 {
 	size_t n;
@@ -235,7 +235,8 @@ is_link_between_numbers(const char *text, size_t n)
  * the speed before it: @74 approx 75, 74 m/s or 75.  In @74 sample 3, a known
  * word says what else it is. */
 static bool
-is_second_speed(const struct before *before, const char *text, double value)
+is_second_value_of_speed(
+    const struct before *before, const char *text, double value)
 {
 	bool near = value < 1.5 * before->value && before->value < 1.5 * value;
 	if (before->end == NULL || !(before->at || (before->unit && near)))
@@ -243,7 +244,7 @@ is_second_speed(const struct before *before, const char *text, double value)
 	size_t unknown;
 	FREED char *gap =
 	    xasprintf("%.*s", (int)(text - before->end), before->end);
-	uint64_t means = lexicon_meanings(gap, &unknown);
+	uint64_t means = lexicon_text_meanings(gap, &unknown);
 	return unknown > 0 ||
 	       (before->unit && (means & ~(uint64_t)WORD_FILLER) == 0);
 }
@@ -252,7 +253,7 @@ is_second_speed(const struct before *before, const char *text, double value)
  * @6 9, @69..70, 74 or 75 m/s; but not in "Cut 3 - 69 m/s".  unit: the number
  * at `text` has a unit of speed. */
 static bool
-is_part_of_speed(
+is_number_part_of_same_speed(
     const struct before *before, const char *text, double value, bool unit)
 {
 	static const char *const DASHES[] = {
@@ -311,12 +312,13 @@ parse_heading_number(struct head *head, const char *start, const char **text,
 	    head->several || minus ||
 	    (good && (at || speed) &&
 		is_part_of_other_number(start, from, to, at && !speed)) ||
-	    (good && is_part_of_speed(before, from, value, speed)) ||
+	    (good &&
+		is_number_part_of_same_speed(before, from, value, speed)) ||
 	    (good && !inside && !speed &&
 		!is_unit_other_than_speed(to + strspn(to, " ")) &&
-		is_second_speed(before, from, value));
+		is_second_value_of_speed(before, from, value));
 	if (good && (!inside || speed))
-		add_number_to_heading(head, text, value, at);
+		add_number_to_parsed_heading(head, text, value, at);
 	*before = (struct before){
 	    good ? (speed ? *text : to) : NULL, value, at && !speed, speed};
 }
@@ -324,7 +326,7 @@ parse_heading_number(struct head *head, const char *start, const char **text,
 /* Returns the length of what separates the two sizes of a range, such as "-" or
  * "-d-", or 0 if p does not begin with one. */
 static size_t
-range_separator_bytes(const char *p)
+length_of_range_separator(const char *p)
 {
 	static const char *const BETWEEN[] = {
 	    "-d-", "/d/", "-", "/", " - ", "\xE2\x80\x93"};
@@ -340,12 +342,12 @@ range_separator_bytes(const char *p)
 /* True if a text contains a range of two sizes; a date, which has three
  * numbers, is not one. */
 static bool
-has_size_range(const char *text)
+is_size_range_in_text(const char *text)
 {
 	static const char NUMBER[] = "0123456789.,";
 	for (const char *p = text; *p != '\0'; p++) {
 		size_t n = strspn(p, NUMBER),
-		       between = range_separator_bytes(p + n);
+		       between = length_of_range_separator(p + n);
 		if (n == 0 || !isdigit((unsigned char)*p))
 			continue;
 		p += n;
@@ -356,7 +358,7 @@ has_size_range(const char *text)
 		size_t second = strspn(p + between, NUMBER);
 		p += between + second;
 		bool date = second == 4 || n == 4;
-		if (!date && range_separator_bytes(p) == 0)
+		if (!date && length_of_range_separator(p) == 0)
 			return true;
 		p += strspn(p, "0123456789.,-/");
 		p--;
@@ -366,7 +368,7 @@ has_size_range(const char *text)
 
 /* True for the 3 of m3 or cm3, which are not units of length. */
 static bool
-is_power_of_length(const char *text, const char *p)
+is_length_exponent(const char *text, const char *p)
 {
 	bool alone = !isalnum((unsigned char)p[1]) && (*p == '2' || *p == '3');
 	const char *from = p;
@@ -380,7 +382,7 @@ is_power_of_length(const char *text, const char *p)
 /* Reads a folded text.  words gets the text without numbers and units of speed,
  * rest the text without speeds; each has room for the whole text. */
 static struct head
-split_off_speeds(const char *folded, char *words, char *rest)
+parse_speeds_out_of_text(const char *folded, char *words, char *rest)
 {
 	struct head head = {0};
 	struct before before = {0};
@@ -397,7 +399,7 @@ split_off_speeds(const char *folded, char *words, char *rest)
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
 			const char *from = p;
-			bool power = is_power_of_length(folded, p);
+			bool power = is_length_exponent(folded, p);
 			parse_heading_number(&head, folded, &p, at, &before);
 			words[n++] = power ? *from : ' ';
 			bool speed = before.at || before.unit;
@@ -411,14 +413,14 @@ split_off_speeds(const char *folded, char *words, char *rest)
 		}
 	}
 	words[n] = rest[m] = '\0';
-	head.range = has_size_range(folded);
-	head.means = lexicon_meanings(words, &head.unknown);
+	head.range = is_size_range_in_text(folded);
+	head.means = lexicon_text_meanings(words, &head.unknown);
 	return head;
 }
 
 /* True for the speed of a belt or feeder, which is not that of the rotor. */
 static bool
-is_speed_of_belt(const char *folded)
+is_heading_of_belt_speed(const char *folded)
 {
 	static const char *const SAID[] = {"belt speed", "belt velocity",
 	    "conveyor speed", "feeder belt", "feeder speed", "bandhast",
@@ -439,8 +441,8 @@ parse_heading_text(const char *text, char **left)
 	replace_nonbreaking_blanks(folded);
 	FREED char *words = xcalloc(strlen(folded) + 1, 1);
 	char *rest = xcalloc(strlen(folded) + 1, 1);
-	struct head head = split_off_speeds(folded, words, rest);
-	if (is_speed_of_belt(folded))
+	struct head head = parse_speeds_out_of_text(folded, words, rest);
+	if (is_heading_of_belt_speed(folded))
 		head = (struct head){.means = WORD_OTHER};
 	if (left != NULL)
 		*left = rest;
@@ -460,7 +462,7 @@ static const double SLOWEST_IN_NAME = 20;
 
 /* Returns the whole number that ends just before p, or -1. */
 static double
-number_before(const char *text, const char *p)
+whole_number_ending_at(const char *text, const char *p)
 {
 	const char *from = p;
 	while (from > text && isdigit((unsigned char)from[-1]))
@@ -478,8 +480,8 @@ heading_parse_file_name(const char *name)
 	FREED char *said = xstrdup("");
 	for (const char *p = text; *p != '\0';) {
 		const char *unit = p + (*p == ' ');
-		bool after =
-		    p > text && number_before(text, p) >= SLOWEST_IN_NAME;
+		bool after = p > text &&
+			     whole_number_ending_at(text, p) >= SLOWEST_IN_NAME;
 		size_t n = 0;
 		for (size_t i = 0; i < ARRAY_LEN(WRITTEN) && after; i++) {
 			size_t length = strlen(WRITTEN[i]);

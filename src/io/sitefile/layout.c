@@ -67,7 +67,7 @@ struct sheet_grid {
 };
 
 static void
-add_table_place(struct sheet_grid *g, struct place p)
+add_table_location_in_sheet(struct sheet_grid *g, struct place p)
 {
 	if (g->n_place < MOST_TABLES)
 		g->place[g->n_place++] = p;
@@ -86,14 +86,14 @@ cell_at(const struct sheet_grid *g, size_t r, size_t c)
 }
 
 static struct nature *
-cell_nature_at(const struct sheet_grid *g, size_t r, size_t c)
+cell_classification_at(const struct sheet_grid *g, size_t r, size_t c)
 {
 	return &g->nature[cell_index_at(g, r, c)];
 }
 
 /* Returns the number of a column in the sheet, or of a line if across. */
 static size_t
-column_number(const struct sheet_grid *g, size_t c)
+column_or_line_number(const struct sheet_grid *g, size_t c)
 {
 	return g->across ? (size_t)g->sheet->row[c].line : c + 1;
 }
@@ -127,7 +127,7 @@ is_cell_in_range(struct cell_range box, int line, size_t column)
 /* True if a cell can head a column of sieves: it has a word for size or sieve,
  * or only a unit of size, and no word for something else. */
 static bool
-can_head_sieves(const struct cell *cell, const struct nature *n)
+can_be_sieve_heading(const struct cell *cell, const struct nature *n)
 {
 	static const uint64_t ELSE = WORD_PASSES | WORD_STAYS | WORD_FEED |
 				     WORD_PRODUCT | WORD_ROTOR | WORD_SPEED |
@@ -136,7 +136,7 @@ can_head_sieves(const struct cell *cell, const struct nature *n)
 	/* "n.d." is not a diameter. */
 	if (cell->kind != CELL_TEXT || cell->value == AS_ABSENT ||
 	    strpbrk(cell->text, "0123456789") != NULL ||
-	    text_same_folded(cell->text, "top_size_mm"))
+	    text_is_same_folded(cell->text, "top_size_mm"))
 		return false;
 	uint64_t means = n->means;
 	uint64_t units =
@@ -157,7 +157,7 @@ can_head_sieves(const struct cell *cell, const struct nature *n)
 }
 
 static struct nature
-guess_cell_nature(
+classify_sheet_cell(
     const struct sheet *sheet, const struct cell *cell, bool below)
 {
 	const struct sieve_unit length = {1, SIEVE_NONE};
@@ -168,9 +168,9 @@ guess_cell_nature(
 	n.kind = sieve_read_size(sheet, *cell, length, &n.mm);
 	if (cell->kind == CELL_TEXT && cell->value == AS_NUMBER)
 		return n;
-	n.means = lexicon_meanings(cell->text, &unknown);
+	n.means = lexicon_text_meanings(cell->text, &unknown);
 	n.unknown = (unsigned)unknown;
-	n.head = can_head_sieves(cell, &n);
+	n.head = can_be_sieve_heading(cell, &n);
 	n.foot = n.kind == SIEVE_IS_NONE &&
 		 (n.means & (WORD_TOTAL | WORD_LOSS | WORD_WASHED)) != 0;
 	return n;
@@ -178,24 +178,24 @@ guess_cell_nature(
 
 /* Finds what each cell can be. */
 static void
-fill_cell_natures(struct sheet_grid *g)
+classify_all_sheet_cells(struct sheet_grid *g)
 {
-	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
-	     r++)
+	for (size_t r = 0;
+	     r < g->n_row && !error_is_stop_requested(g->sheet->errors); r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			struct nature *n = cell_nature_at(g, r, c);
-			*n = guess_cell_nature(
+			struct nature *n = cell_classification_at(g, r, c);
+			*n = classify_sheet_cell(
 			    g->sheet, cell_at(g, r, c), n->below);
 		}
 }
 
 static void
-find_next_number_beside_cells(struct sheet_grid *g)
+find_next_number_of_each_cell(struct sheet_grid *g)
 {
 	double v;
 	g->number = xcalloc(g->n_row * g->n_col + 1, sizeof *g->number);
-	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
-	     r++) {
+	for (size_t r = 0;
+	     r < g->n_row && !error_is_stop_requested(g->sheet->errors); r++) {
 		unsigned next = (unsigned)g->n_col;
 		for (size_t c = g->n_col; c-- > 0;) {
 			if (number_value_of_cell(*cell_at(g, r, c), &v))
@@ -301,7 +301,7 @@ size_after_less_sign(const struct sheet_grid *g, size_t r, size_t c)
 	const char *text = cell->text;
 	bool first = g->bare_below && c == 0;
 	bool minus = text[0] == '-' && strpbrk(text + 1, "-+/") == NULL &&
-		     (first || (lexicon_meanings(text, NULL) &
+		     (first || (lexicon_text_meanings(text, NULL) &
 				   (WORD_MM | WORD_UM)) != 0);
 	size_t n = minus                                    ? 1
 		   : strncmp(text, LESS, strlen(LESS)) == 0 ? strlen(LESS)
@@ -339,7 +339,7 @@ struct sizes_below {
 };
 
 static void
-count_distinct_size_below(struct sizes_below *below, const char *size)
+count_size_below_unless_repeated(struct sizes_below *below, const char *size)
 {
 	below->n += below->last == NULL || strcmp(below->last, size) != 0;
 	below->last = size;
@@ -363,7 +363,7 @@ name_classes_by_lower_size(
 		char *size = size_after_less_sign(g, r, c);
 		if (size == NULL)
 			return;
-		*cell = number_cell_with_text(g->sheet, *cell, size);
+		*cell = number_reparse_cell_with_text(g->sheet, *cell, size);
 		cell = cell_at(g, r, c);
 	}
 }
@@ -394,7 +394,7 @@ name_classes_beside_greatest(struct sheet_grid *g)
  * numbers there for what passes them.  "< 16" alone, or again and again in a
  * long table, is the pan. */
 static void
-mark_sizes_below_as_sieves(struct sheet_grid *g)
+mark_less_than_sizes_as_sieves(struct sheet_grid *g)
 {
 	enum { LEAST = 3 };
 	FREED struct sizes_below *row = xcalloc(g->n_row + 1, sizeof *row);
@@ -404,8 +404,8 @@ mark_sizes_below_as_sieves(struct sheet_grid *g)
 			char *size = size_after_less_sign(g, r, c);
 			if (size == NULL)
 				continue;
-			count_distinct_size_below(&row[r], size);
-			count_distinct_size_below(&col[c], size);
+			count_size_below_unless_repeated(&row[r], size);
+			count_size_below_unless_repeated(&col[c], size);
 		}
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
@@ -414,8 +414,9 @@ mark_sizes_below_as_sieves(struct sheet_grid *g)
 			if (size == NULL ||
 			    (row[r].n < LEAST && col[c].n < LEAST))
 				continue;
-			*cell = number_cell_with_text(g->sheet, *cell, size);
-			cell_nature_at(g, r, c)->below = true;
+			*cell = number_reparse_cell_with_text(
+			    g->sheet, *cell, size);
+			cell_classification_at(g, r, c)->below = true;
 		}
 }
 
@@ -423,7 +424,7 @@ mark_sizes_below_as_sieves(struct sheet_grid *g)
  * column of row numbers: the headings are one cell short, and the lines below
  * begin with 1, 2, 3. */
 static void
-shift_headings_by_one(struct sheet_grid *g)
+shift_headings_if_one_short(struct sheet_grid *g)
 {
 	size_t h = 0, wide = g->n_col;
 	double v;
@@ -444,7 +445,7 @@ shift_headings_by_one(struct sheet_grid *g)
 
 /* Returns the transposed grid, which has the same cells. */
 static struct sheet_grid
-transpose_grid(const struct sheet_grid *g)
+transpose_sheet_grid(const struct sheet_grid *g)
 {
 	struct sheet_grid t = {.sheet = g->sheet,
 	    .across = true,
@@ -456,12 +457,12 @@ transpose_grid(const struct sheet_grid *g)
 	    .nature = g->nature};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
-	find_next_number_beside_cells(&t);
+	find_next_number_of_each_cell(&t);
 	return t;
 }
 
 static void
-free_grid(struct sheet_grid *g)
+free_sheet_grid(struct sheet_grid *g)
 {
 	free(g->gap);
 	free(g->phi);
@@ -483,7 +484,7 @@ has_astm_sieve_numbers(const struct sheet_grid *g, size_t r, size_t c)
 		const struct cell *cell = cell_at(g, r, c);
 		if (!number_value_of_cell(*cell, &v))
 			break;
-		if (isnan(sieve_name_mm(cell->text, SIEVE_ASTM)))
+		if (isnan(sieve_mm_of_name(cell->text, SIEVE_ASTM)))
 			return false;
 		step = n > 0 ? fmax(step, fabs(v - last)) : 0;
 		last = v;
@@ -502,8 +503,9 @@ is_unit_after_value(const struct sheet_grid *g, size_t r, size_t c)
 	for (size_t k = 0; k < g->n_col; k++)
 		filled += is_cell_filled(g, r, k) ? 1 : 0;
 	return filled == 3 && c >= 2 && c < g->n_col &&
-	       cell_nature_at(g, r, c)->head && is_cell_filled(g, r, c - 2) &&
-	       !cell_nature_at(g, r, c - 2)->head &&
+	       cell_classification_at(g, r, c)->head &&
+	       is_cell_filled(g, r, c - 2) &&
+	       !cell_classification_at(g, r, c - 2)->head &&
 	       number_value_of_cell(*cell_at(g, r, c - 1), &v);
 }
 
@@ -518,13 +520,13 @@ is_value_of_key(const struct sheet_grid *g, size_t r, size_t c)
 			return false;
 	const struct cell *key =
 	    cell_at(g, g->across ? 0 : r, g->across ? c : 0);
-	return at == 1 && lexicon_key_from_text(key->text) != N_KEY;
+	return at == 1 && lexicon_site_key_of_text(key->text) != N_KEY;
 }
 
 static bool
-is_sieve_head(const struct sheet_grid *g, size_t r, size_t c)
+is_sieve_heading(const struct sheet_grid *g, size_t r, size_t c)
 {
-	const struct nature *n = cell_nature_at(g, r, c);
+	const struct nature *n = cell_classification_at(g, r, c);
 	bool number = (n->means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER;
 	return n->head && !is_unit_after_value(g, r, c) &&
 	       !is_value_of_key(g, r, c) &&
@@ -534,11 +536,11 @@ is_sieve_head(const struct sheet_grid *g, size_t r, size_t c)
 /* True if a heading states phi, and the numbers below it can be in phi.  The
  * letter also means a diameter. */
 static bool
-is_phi_head(const struct sheet_grid *g, size_t r, size_t c)
+is_phi_heading(const struct sheet_grid *g, size_t r, size_t c)
 {
 	double v;
-	if (!is_sieve_head(g, r, c) ||
-	    (cell_nature_at(g, r, c)->means & WORD_PHI) == 0)
+	if (!is_sieve_heading(g, r, c) ||
+	    (cell_classification_at(g, r, c)->means & WORD_PHI) == 0)
 		return false;
 	for (r++; r < g->n_row && !g->gap[r]; r++)
 		if (number_value_of_cell(*cell_at(g, r, c), &v) &&
@@ -553,12 +555,12 @@ sieve_kind_of_cell(const struct sheet_grid *g, size_t r, size_t c, double *mm)
 	const struct sieve_unit phi = {0, SIEVE_PHI};
 	if (g->phi[c])
 		return sieve_read_size(g->sheet, *cell_at(g, r, c), phi, mm);
-	*mm = cell_nature_at(g, r, c)->mm;
-	return cell_nature_at(g, r, c)->kind;
+	*mm = cell_classification_at(g, r, c)->mm;
+	return cell_classification_at(g, r, c)->kind;
 }
 
 static bool
-is_cell_of_sieve(const struct sheet_grid *g, size_t r, size_t c)
+is_sieve_size_or_pan_cell(const struct sheet_grid *g, size_t r, size_t c)
 {
 	double mm;
 	return sieve_kind_of_cell(g, r, c, &mm) != SIEVE_IS_NONE;
@@ -574,12 +576,12 @@ has_number_beside(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 /* Returns the next row below r, before any gap, that has a sieve and numbers
  * beside it; n_row if there is none. */
 static size_t
-next_sieve_row(const struct sheet_grid *g, size_t r, size_t c, size_t end)
+find_sieve_row_below(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 {
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
-		if (is_sieve_head(g, r, c))
+		if (is_sieve_heading(g, r, c))
 			break;
-		if (is_cell_of_sieve(g, r, c) &&
+		if (is_sieve_size_or_pan_cell(g, r, c) &&
 		    has_number_beside(g, r, c, end))
 			return r;
 	}
@@ -610,10 +612,11 @@ find_table_end(const struct sheet_grid *g, struct place *p)
 		double mm;
 		enum sieve_kind kind = sieve_kind_of_cell(g, r, p->c, &mm);
 		bool numbers = has_number_beside(g, r, p->c, p->end);
-		if (is_sieve_head(g, r, p->c))
+		if (is_sieve_heading(g, r, p->c))
 			break;
-		if (r >= known && cell_nature_at(g, r, p->c)->foot &&
-		    (known = next_sieve_row(g, r, p->c, p->end)) == g->n_row)
+		if (r >= known && cell_classification_at(g, r, p->c)->foot &&
+		    (known = find_sieve_row_below(g, r, p->c, p->end)) ==
+			g->n_row)
 			break;
 		if (r > p->first && g->gap[r] &&
 		    (kind == SIEVE_IS_NONE || !numbers))
@@ -624,8 +627,8 @@ find_table_end(const struct sheet_grid *g, struct place *p)
 		standard += kind == SIEVE_IS_SIZE &&
 			    (isnan(mm) || sieve_is_standard(mm) ||
 				sieve_is_standard(mm / 1000) ||
-				sieve_name_series(cell_at(g, r, p->c)->text) !=
-				    SIEVE_NONE);
+				sieve_series_of_name(
+				    cell_at(g, r, p->c)->text) != SIEVE_NONE);
 	}
 	while (p->last < g->n_row &&
 	       is_row_without_sieve(g, p->last, p->c, p->end))
@@ -639,7 +642,7 @@ static size_t
 next_sieve_heading(const struct sheet_grid *g, size_t r, size_t c)
 {
 	size_t k = c + 2;
-	while (k < g->n_col && !is_sieve_head(g, r, k))
+	while (k < g->n_col && !is_sieve_heading(g, r, k))
 		k++;
 	return k < g->n_col ? k : g->n_col;
 }
@@ -652,7 +655,7 @@ struct sequence {
 };
 
 static struct sequence
-sequence_of_sizes(const struct sheet_grid *g, const struct place *p)
+count_size_rises_and_falls(const struct sheet_grid *g, const struct place *p)
 {
 	struct sequence s = {0};
 	double mm, last = NAN;
@@ -677,7 +680,7 @@ are_tables_overlapping(const struct place *a, const struct place *b)
 /* True if two columns of sieves are the lower and upper ends of adjoining
  * classes, whose mass is retained on the lower end. */
 static bool
-are_ends_of_classes(
+are_columns_class_ends(
     const struct sheet_grid *g, const struct place *low, const struct place *up)
 {
 	double a, b, last = NAN;
@@ -710,9 +713,9 @@ drop_duplicate_headings(struct sheet_grid *g)
 			if (a->c == b->c)
 				drop = b->first - b->head < a->first - a->head;
 			else if (a->c + 1 == b->c || b->c + 1 == a->c)
-				drop = is_sieve_head(g, a->head, a->c) &&
-				       !are_ends_of_classes(g, a, b) &&
-				       (are_ends_of_classes(g, b, a) ||
+				drop = is_sieve_heading(g, a->head, a->c) &&
+				       !are_columns_class_ends(g, a, b) &&
+				       (are_columns_class_ends(g, b, a) ||
 					   b->score > a->score ||
 					   (b->score == a->score && k < i));
 		}
@@ -726,28 +729,29 @@ drop_duplicate_headings(struct sheet_grid *g)
 static void
 find_tables_with_headings(struct sheet_grid *g)
 {
-	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
-	     r++)
+	for (size_t r = 0;
+	     r < g->n_row && !error_is_stop_requested(g->sheet->errors); r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			if (!is_sieve_head(g, r, c))
+			if (!is_sieve_heading(g, r, c))
 				continue;
 			struct place p = {c, r, r + 1, 0,
 			    next_sieve_heading(g, r, c), 0, false};
-			g->phi[c] = g->phi[c] || is_phi_head(g, r, c);
+			g->phi[c] = g->phi[c] || is_phi_heading(g, r, c);
 			while (p.first < g->n_row && p.first < r + 4 &&
-			       !is_cell_of_sieve(g, p.first, c) &&
-			       !is_sieve_head(g, p.first, c))
+			       !is_sieve_size_or_pan_cell(g, p.first, c) &&
+			       !is_sieve_heading(g, p.first, c))
 				p.first++;
 			if (p.first == g->n_row ||
-			    !is_cell_of_sieve(g, p.first, c))
+			    !is_sieve_size_or_pan_cell(g, p.first, c))
 				continue;
 			find_table_end(g, &p);
 			/* "Sieve analysis" is a title above other headings. */
-			struct sequence size = sequence_of_sizes(g, &p);
+			struct sequence size =
+			    count_size_rises_and_falls(g, &p);
 			bool title =
 			    p.first > r + 1 && size.steps + 1 == size.n;
 			if (p.last > p.first && !title)
-				add_table_place(g, p);
+				add_table_location_in_sheet(g, p);
 		}
 	drop_duplicate_headings(g);
 }
@@ -762,7 +766,8 @@ are_column_headings(const struct sheet_grid *g, size_t r, size_t c)
 		return true;
 	return c + 1 < g->n_col &&
 	       (strpbrk(cell_at(g, 0, c + 1)->text, "0123456789") != NULL ||
-		   (cell_nature_at(g, 0, c + 1)->means & WORD_FEED) != 0);
+		   (cell_classification_at(g, 0, c + 1)->means & WORD_FEED) !=
+		       0);
 }
 
 /* True if the cell above the numbers, or at the start of their line, says that
@@ -773,7 +778,8 @@ is_heading_of_other_than_sieves(const struct sheet_grid *g, size_t r, size_t c)
 	const uint64_t other = WORD_OTHER | WORD_SPEED;
 	if (r == 0 || (g->across && are_column_headings(g, r, c)))
 		return false;
-	uint64_t means = cell_nature_at(g, g->across ? 0 : r - 1, c)->means;
+	uint64_t means =
+	    cell_classification_at(g, g->across ? 0 : r - 1, c)->means;
 	return (means & other) != 0 && (means & WORD_SIZE) == 0;
 }
 
@@ -788,11 +794,11 @@ is_pan_row(const struct sheet_grid *g, size_t r, size_t c)
 /* Finds tables without headings: numbers that only fall or only rise, but not
  * as a count does, and nearly all of which are sizes of real sieves. */
 static void
-find_headless_table(struct sheet_grid *g)
+find_tables_without_headings(struct sheet_grid *g)
 {
 	for (size_t c = 0; c < g->n_col && g->n_place == 0; c++)
 		for (size_t r = 0;
-		     r < g->n_row && !error_should_stop(g->sheet->errors);
+		     r < g->n_row && !error_is_stop_requested(g->sheet->errors);
 		     r++) {
 			struct place p = {
 			    c, g->n_row, r, 0, g->n_col, 0, false};
@@ -800,7 +806,8 @@ find_headless_table(struct sheet_grid *g)
 			if (sieve_kind_of_cell(g, r, c, &mm) != SIEVE_IS_SIZE)
 				continue;
 			find_table_end(g, &p);
-			struct sequence size = sequence_of_sizes(g, &p);
+			struct sequence size =
+			    count_size_rises_and_falls(g, &p);
 			while (p.first > 0 && is_pan_row(g, p.first - 1, c))
 				p.first--;
 			bool ordered = size.rises + 1 == size.n ||
@@ -809,7 +816,7 @@ find_headless_table(struct sheet_grid *g)
 			    size.steps + 1 != size.n &&
 			    !is_heading_of_other_than_sieves(g, p.first, c) &&
 			    p.score * 5 >= (int)size.n * 4)
-				add_table_place(g, p);
+				add_table_location_in_sheet(g, p);
 			r = p.last > r ? p.last - 1 : r;
 		}
 }
@@ -848,7 +855,8 @@ end_of_ordered_numbers(
 
 /* True if two columns have the same heading in the row above their numbers. */
 static bool
-has_same_heading(const struct sheet_grid *g, size_t r, size_t c, size_t other)
+are_column_headings_same(
+    const struct sheet_grid *g, size_t r, size_t c, size_t other)
 {
 	return r > 0 && is_cell_filled(g, r - 1, c) &&
 	       strcmp(cell_at(g, r - 1, c)->text,
@@ -862,20 +870,20 @@ find_next_ordered_numbers(
     const struct sheet_grid *g, size_t c, struct place *p, bool *phi)
 {
 	for (size_t r = p->last;
-	     r < g->n_row && !error_should_stop(g->sheet->errors); r++) {
+	     r < g->n_row && !error_is_stop_requested(g->sheet->errors); r++) {
 		bool sizes;
 		size_t first = r;
 		size_t end = end_of_ordered_numbers(g, r, c, &sizes, phi);
 		r = end > r ? end - 1 : r;
 		const struct place *upper = &g->place[0];
-		bool like = g->n_place == 0 ||
-			    (first == upper->first &&
-				has_same_heading(g, first, c, upper->c));
+		bool like = g->n_place == 0 || (first == upper->first &&
+						   are_column_headings_same(
+						       g, first, c, upper->c));
 		if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
 		    is_heading_of_other_than_sieves(g, first, c) || !like)
 			continue;
 		bool head = first > 0 && is_cell_filled(g, first - 1, c) &&
-			    !is_cell_of_sieve(g, first - 1, c);
+			    !is_sieve_size_or_pan_cell(g, first - 1, c);
 		*p = (struct place){c, head ? first - 1 : g->n_row, first, end,
 		    g->n_col, (int)(end - first), true};
 		return true;
@@ -888,7 +896,7 @@ find_next_ordered_numbers(
  * first must have its heading.  They may be something else.  below_0: only
  * series in phi with values below 0. */
 static void
-find_tables_of_numbers(struct sheet_grid *g, bool below_0)
+find_tables_by_number_series(struct sheet_grid *g, bool below_0)
 {
 	for (size_t c = 0; c + 1 < g->n_col; c++) {
 		struct place p = {.last = 0};
@@ -898,22 +906,23 @@ find_tables_of_numbers(struct sheet_grid *g, bool below_0)
 		while (any && below_0 && !phi);
 		if (!any)
 			continue;
-		add_table_place(g, p);
+		add_table_location_in_sheet(g, p);
 		g->phi[c] = g->phi[c] || phi;
 	}
 }
 
 static void
-find_tables_of_any_numbers(struct sheet_grid *g)
+find_tables_by_any_number_series(struct sheet_grid *g)
 {
-	find_tables_of_numbers(g, false);
+	find_tables_by_number_series(g, false);
 }
 
-/* Tried before find_headless_table, which would take sizes in phi for mm. */
+/* Tried before find_tables_without_headings, which would take sizes in phi for
+ * mm. */
 static void
-find_tables_of_phi_numbers(struct sheet_grid *g)
+find_tables_by_phi_series(struct sheet_grid *g)
 {
-	find_tables_of_numbers(g, true);
+	find_tables_by_number_series(g, true);
 }
 
 /* Finds the tables in a column that has sieves according to the user, each from
@@ -921,8 +930,8 @@ find_tables_of_phi_numbers(struct sheet_grid *g)
 static void
 find_tables_in_column(struct sheet_grid *g, size_t c)
 {
-	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
-	     r++) {
+	for (size_t r = 0;
+	     r < g->n_row && !error_is_stop_requested(g->sheet->errors); r++) {
 		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0, false};
 		if (sieve_kind_of_cell(g, r, c, &mm) == SIEVE_IS_NONE ||
@@ -932,7 +941,7 @@ find_tables_in_column(struct sheet_grid *g, size_t c)
 		p.head = r > 0 ? r - 1 : g->n_row;
 		p.score += (int)(p.last - p.first);
 		if (p.last >= p.first + 2)
-			add_table_place(g, p);
+			add_table_location_in_sheet(g, p);
 		r = p.last > r ? p.last - 1 : r;
 	}
 }
@@ -944,7 +953,7 @@ find_tables_in_given_columns(
 	g->n_place = 0;
 	for (size_t i = 0; i < range->n_sieves; i++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			if (column_number(g, c) != range->sieves[i])
+			if (column_or_line_number(g, c) != range->sieves[i])
 				continue;
 			g->phi[c] = g->phi[c] || range->phi;
 			find_tables_in_column(g, c);
@@ -962,7 +971,7 @@ is_heading_of_all_columns(
 	for (size_t k = p->c + 1; k < end; k++)
 		if (is_cell_filled(g, r, k))
 			return false;
-	const struct nature *n = cell_nature_at(g, r, p->c);
+	const struct nature *n = cell_classification_at(g, r, p->c);
 	return g->across && (n->means & all) != 0 && n->unknown == 0;
 }
 
@@ -982,7 +991,7 @@ is_further_heading_row(
 	if (filled == 2 && is_unit_after_value(g, r, p->c + 2))
 		return false;
 	const char *key = cell_at(g, r, p->c)->text;
-	if (!g->across && lexicon_key_from_text(key) != N_KEY)
+	if (!g->across && lexicon_site_key_of_text(key) != N_KEY)
 		return false;
 	/* The command add writes a line such as cut, "72 m/s, 2026-05-04". */
 	if (strcmp(key, "cut") == 0 && filled == 1 &&
@@ -996,7 +1005,7 @@ is_further_heading_row(
 }
 
 static struct row
-make_table_row(
+make_table_row_from_grid(
     const struct sheet_grid *g, size_t r, const size_t *col, size_t n)
 {
 	struct row row = {.n = n, .n_all = n};
@@ -1009,13 +1018,13 @@ make_table_row(
 }
 
 static void
-add_table_row(const struct sheet_grid *g, size_t r, const size_t *col, size_t n,
-    struct row **list, size_t *n_list)
+append_sheet_table_row(const struct sheet_grid *g, size_t r, const size_t *col,
+    size_t n, struct row **list, size_t *n_list)
 {
 	*list = xrealloc(*list, *n_list + 1, sizeof **list);
-	(*list)[(*n_list)++] = make_table_row(g, r, col, n);
+	(*list)[(*n_list)++] = make_table_row_from_grid(g, r, col, n);
 	for (size_t i = 0; i < n; i++)
-		cell_nature_at(g, r, col[i])->used = true;
+		cell_classification_at(g, r, col[i])->used = true;
 }
 
 /* Lists the columns of a table that are not empty: its sieves, then those from
@@ -1055,8 +1064,8 @@ fill_missing_sieve_cells(struct table *t)
 	struct sieve_unit none = {0, SIEVE_NONE};
 	double mm;
 	for (size_t c = 1; c < t->n_col; c++) {
-		FREED char *head = layout_heading_text(t, c);
-		uint64_t means = lexicon_meanings(head, NULL);
+		FREED char *head = layout_column_heading_text(t, c);
+		uint64_t means = lexicon_text_meanings(head, NULL);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
 		    (means & ELSE) != 0)
 			continue;
@@ -1088,7 +1097,7 @@ join_cells_beside_headings(const struct sheet_grid *g, const struct place *p,
 		bool unit = c == p->c + 1 && said.unit != SPEED_NO_UNIT &&
 			    !heading_has_speed(&said) && said.n_number == 0 &&
 			    head->cell[0].text[0] != '\0';
-		struct nature *n = cell_nature_at(g, r, c);
+		struct nature *n = cell_classification_at(g, r, c);
 		if (n->used || (!speed && !unit))
 			continue;
 		struct cell *to = &head->cell[unit ? 0 : 1];
@@ -1115,18 +1124,19 @@ is_row_of_speeds(const struct sheet_grid *g, size_t r, const struct place *p)
 /* Adds the rows below the sieves: sums and the like to the foot, and speeds to
  * the headings, like those above the samples. */
 static void
-add_rows_below(const struct sheet_grid *g, const struct place *p,
+add_rows_below_sieves(const struct sheet_grid *g, const struct place *p,
     const size_t *col, size_t n, struct table *t)
 {
 	for (size_t r = p->last; r < g->n_row; r++) {
-		if (cell_nature_at(g, r, p->c)->foot) {
-			add_table_row(g, r, col, n, &t->foot, &t->n_foot);
+		if (cell_classification_at(g, r, p->c)->foot) {
+			append_sheet_table_row(
+			    g, r, col, n, &t->foot, &t->n_foot);
 			continue;
 		}
 		if (t->n_head == 0 || !is_row_of_speeds(g, r, p))
 			break;
 		size_t at = t->titles < t->n_head ? t->titles + 1 : t->n_head;
-		add_table_row(g, r, col, n, &t->head, &t->n_head);
+		append_sheet_table_row(g, r, col, n, &t->head, &t->n_head);
 		struct row speeds = t->head[t->n_head - 1];
 		struct row *below = &t->head[at];
 		memmove(below + 1, below, (t->n_head - 1 - at) * sizeof *below);
@@ -1135,8 +1145,8 @@ add_rows_below(const struct sheet_grid *g, const struct place *p,
 }
 
 static void
-add_table_found(const struct sheet_grid *g, const struct place *p, size_t from,
-    size_t end, struct layout *layout)
+add_one_table_to_layout(const struct sheet_grid *g, const struct place *p,
+    size_t from, size_t end, struct layout *layout)
 {
 	FREED size_t *col = xcalloc(g->n_col + 1, sizeof *col);
 	size_t n = list_filled_columns(g, p, from, end, col);
@@ -1151,30 +1161,33 @@ add_table_found(const struct sheet_grid *g, const struct place *p, size_t from,
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
 	       (is_further_heading_row(g, top - 1, p, end) ||
 		   is_heading_of_all_columns(g, top - 1, p, end)) &&
-	       !cell_nature_at(g, top - 1, p->c)->used)
+	       !cell_classification_at(g, top - 1, p->c)->used)
 		top--;
 	for (size_t r = top; r < p->last; r++) {
-		const struct nature *first = cell_nature_at(g, r, p->c);
+		const struct nature *first = cell_classification_at(g, r, p->c);
 		if (r >= p->first) {
-			add_table_row(g, r, col, n, &t.row, &t.n_row);
+			append_sheet_table_row(g, r, col, n, &t.row, &t.n_row);
 			t.below = t.below || first->below;
 		} else if (first->foot &&
 			   has_number_beside(g, r, p->c, p->end)) {
-			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
+			append_sheet_table_row(
+			    g, r, col, n, &t.foot, &t.n_foot);
 		} else {
-			add_table_row(g, r, col, n, &t.head, &t.n_head);
+			append_sheet_table_row(
+			    g, r, col, n, &t.head, &t.n_head);
 			join_cells_beside_headings(g, p, r, end, r < own, &t);
 			t.titles += r < own;
 		}
 	}
-	add_rows_below(g, p, col, n, &t);
+	add_rows_below_sieves(g, p, col, n, &t);
 	for (size_t r = p->last; r < g->n_row && g->across; r++)
-		if (lexicon_is_label_of_day(cell_at(g, r, p->c)->text) &&
-		    !cell_nature_at(g, r, p->c)->used)
-			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
+		if (lexicon_is_date_label(cell_at(g, r, p->c)->text) &&
+		    !cell_classification_at(g, r, p->c)->used)
+			append_sheet_table_row(
+			    g, r, col, n, &t.foot, &t.n_foot);
 	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
-		t.number[i] = column_number(g, col[i]);
+		t.number[i] = column_or_line_number(g, col[i]);
 	fill_missing_sieve_cells(&t);
 	layout->table =
 	    xrealloc(layout->table, layout->n + 1, sizeof *layout->table);
@@ -1196,12 +1209,12 @@ add_tables_to_layout(const struct sheet_grid *g, struct layout *layout)
 			if (other->c < p->c)
 				from = p->c;
 		}
-		add_table_found(g, p, from, end, layout);
+		add_one_table_to_layout(g, p, from, end, layout);
 	}
 }
 
 static int
-total_table_score(const struct sheet_grid *g)
+sum_of_found_table_scores(const struct sheet_grid *g)
 {
 	int score = 0;
 	for (size_t i = 0; i < g->n_place; i++)
@@ -1219,7 +1232,7 @@ list_rows_outside_tables(const struct sheet_grid *g, struct layout *layout)
 		const struct cell *beside = NULL;
 		size_t used = 0;
 		for (size_t c = row->n; c-- > 0;)
-			if (cell_nature_at(g, r, c)->used)
+			if (cell_classification_at(g, r, c)->used)
 				used++;
 			else if (row->cell[c].text[0] != '\0')
 				beside = &row->cell[c];
@@ -1233,7 +1246,7 @@ list_rows_outside_tables(const struct sheet_grid *g, struct layout *layout)
 /* True if two tables have the same headings, except for rows above the heading
  * of the sieves. */
 static bool
-has_same_headings(const struct table *a, const struct table *b)
+are_table_headings_same(const struct table *a, const struct table *b)
 {
 	size_t heads = a->n_head - a->titles;
 	if (a->n_col != b->n_col || a->across || heads == 0 ||
@@ -1251,7 +1264,7 @@ has_same_headings(const struct table *a, const struct table *b)
 /* True if the numbers of a column only rise, or only fall, from the first row
  * of table a to the last of table b. */
 static bool
-goes_on_in_order(const struct table *a, const struct table *b, size_t c)
+do_tables_continue_order(const struct table *a, const struct table *b, size_t c)
 {
 	double v, last = NAN;
 	bool up = false, down = false;
@@ -1283,17 +1296,17 @@ is_page_number(const char *text)
 /* True if a line between two tables differs from all lines above it: it may
  * name another test. */
 static bool
-has_line_of_its_own(const struct layout *layout, const struct table *t,
-    const struct table *rest)
+has_unseen_text_between_tables(const struct layout *layout,
+    const struct table *t, const struct table *rest)
 {
 	int from = t->row[t->n_row - 1].line;
 	int to = rest->n_head > 0 ? rest->head[0].line : rest->row[0].line;
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		size_t k = 0;
-		while (
-		    k < i && !text_same_folded(layout->heading[k]->cell[0].text,
-				 row->cell[0].text))
+		while (k < i &&
+		       !text_is_same_folded(
+			   layout->heading[k]->cell[0].text, row->cell[0].text))
 			k++;
 		if (row->line > from && row->line < to && k == i &&
 		    !is_page_number(row->cell[0].text))
@@ -1311,10 +1324,11 @@ join_continued_tables(struct layout *layout)
 	for (size_t b = 1; b < layout->n; b++) {
 		struct table *t = &layout->table[b - 1],
 			     *rest = &layout->table[b];
-		bool goes_on = t->n_foot == 0 && has_same_headings(t, rest) &&
-			       !has_line_of_its_own(layout, t, rest);
+		bool goes_on = t->n_foot == 0 &&
+			       are_table_headings_same(t, rest) &&
+			       !has_unseen_text_between_tables(layout, t, rest);
 		for (size_t c = 0; c < t->n_col && goes_on; c++)
-			goes_on = goes_on_in_order(t, rest, c);
+			goes_on = do_tables_continue_order(t, rest, c);
 		if (!goes_on)
 			continue;
 		t->row =
@@ -1364,7 +1378,7 @@ layout_adopt_text(struct table *t, char *text)
 }
 
 char *
-layout_heading_text(const struct table *t, size_t c)
+layout_column_heading_text(const struct table *t, size_t c)
 {
 	char *text = xstrdup("");
 	for (size_t r = 0; r < t->n_head; r++)
@@ -1376,22 +1390,22 @@ layout_heading_text(const struct table *t, size_t c)
 
 /* Ways to find tables.  Each is tried if those before it found none. */
 static void (*const FINDERS[])(struct sheet_grid *) = {
-    find_tables_with_headings, find_tables_of_phi_numbers, find_headless_table,
-    find_tables_of_any_numbers};
+    find_tables_with_headings, find_tables_by_phi_series,
+    find_tables_without_headings, find_tables_by_any_number_series};
 
 struct layout *
 layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 {
 	struct layout *layout = xcalloc(1, sizeof *layout);
 	struct sheet_grid g = copy_sheet_to_grid(sheet, range);
-	shift_headings_by_one(&g);
+	shift_headings_if_one_short(&g);
 	mark_in_beside_out_as_feed(&g);
 	g.bare_below = has_bare_sizes_below(&g);
 	name_classes_beside_greatest(&g);
-	mark_sizes_below_as_sieves(&g);
-	fill_cell_natures(&g);
-	find_next_number_beside_cells(&g);
-	struct sheet_grid t = transpose_grid(&g);
+	mark_less_than_sizes_as_sieves(&g);
+	classify_all_sheet_cells(&g);
+	find_next_number_of_each_cell(&g);
+	struct sheet_grid t = transpose_sheet_grid(&g);
 	size_t ways = range.n_sieves > 0 ? 1 : ARRAY_LEN(FINDERS);
 	for (size_t i = 0; i < ways && g.n_place + t.n_place == 0; i++) {
 		FINDERS[i](&g);
@@ -1401,14 +1415,15 @@ layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 		find_tables_in_given_columns(&g, &range);
 		find_tables_in_given_columns(&t, &range);
 	}
-	bool turned = total_table_score(&t) > total_table_score(&g);
+	bool turned =
+	    sum_of_found_table_scores(&t) > sum_of_found_table_scores(&g);
 	add_tables_to_layout(turned ? &t : &g, layout);
 	list_rows_outside_tables(&g, layout);
 	join_continued_tables(layout);
 	for (size_t b = 0; b < layout->n; b++)
 		find_end_of_tables_above(layout, &layout->table[b]);
-	free_grid(&t);
-	free_grid(&g);
+	free_sheet_grid(&t);
+	free_sheet_grid(&g);
 	return layout;
 }
 

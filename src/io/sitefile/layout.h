@@ -74,7 +74,7 @@ char *layout_adopt_text(struct table *t, char *text);
 
 /* Returns the headings of column c of a table, from the top, as one text.  The
  * caller frees it. */
-char *layout_heading_text(const struct table *t, size_t c);
+char *layout_column_heading_text(const struct table *t, size_t c);
 
 struct layout *layout_new_of_sheet(
     struct sheet *sheet, struct layout_range range);

@@ -85,7 +85,7 @@ guess_column_use(const struct table *t, size_t c, const struct head *head)
 }
 
 static bool
-identifies_sample(const struct longer *l, size_t c)
+is_sample_id_column(const struct longer *l, size_t c)
 {
 	return l->use[c] == KEY || l->use[c] == COUNT;
 }
@@ -111,7 +111,7 @@ compare_ranked_rows(const void *a, const void *b)
 
 /* Numbers the different sizes, coarsest first. */
 static void
-number_distinct_sizes(struct longer *l, uint64_t told)
+assign_size_numbers(struct longer *l, uint64_t told)
 {
 	const struct table *t = l->table;
 	struct sieve_unit unit =
@@ -139,14 +139,14 @@ number_distinct_sizes(struct longer *l, uint64_t told)
 /* Returns all rows, each with the cells that identify its sample, sorted by
  * these.  The caller frees the rows and their keys. */
 static struct ranked *
-rows_sorted_by_sample(const struct longer *l)
+list_rows_sorted_by_sample(const struct longer *l)
 {
 	const struct table *t = l->table;
 	struct ranked *ranked = xcalloc(t->n_row, sizeof *ranked);
 	for (size_t r = 0; r < t->n_row; r++) {
 		ranked[r] = (struct ranked){.key = xstrdup(""), .row = r};
 		for (size_t c = 1; c < t->n_col; c++)
-			if (identifies_sample(l, c))
+			if (is_sample_id_column(l, c))
 				xappend(&ranked[r].key, "%s\n",
 				    t->row[r].cell[c].text);
 	}
@@ -161,7 +161,7 @@ static bool
 find_samples_of_long_table(struct longer *l)
 {
 	size_t n = l->table->n_row, lead = 0;
-	FREED struct ranked *ranked = rows_sorted_by_sample(l);
+	FREED struct ranked *ranked = list_rows_sorted_by_sample(l);
 	/* For each sieve, 1 + the first row of the last sample that has it. */
 	FREED size_t *had = xcalloc(l->n_size + 1, sizeof *had);
 	bool once = true;
@@ -186,7 +186,7 @@ find_samples_of_long_table(struct longer *l)
 /* True if the sample with first row a has a higher number than that with first
  * row b. */
 static bool
-is_later_sample(const struct longer *l, size_t a, size_t b)
+is_sample_number_higher(const struct longer *l, size_t a, size_t b)
 {
 	const struct row *row = l->table->row;
 	for (size_t c = 1; c < l->table->n_col; c++) {
@@ -203,7 +203,9 @@ sort_samples_by_number(struct longer *l)
 {
 	for (size_t i = 0; i < l->n_sample; i++) {
 		size_t own = l->sample[i], k = i;
-		for (; k > 0 && is_later_sample(l, l->sample[k - 1], own); k--)
+		for (;
+		     k > 0 && is_sample_number_higher(l, l->sample[k - 1], own);
+		     k--)
 			l->sample[k] = l->sample[k - 1];
 		l->sample[k] = own;
 	}
@@ -215,7 +217,7 @@ sort_samples_by_number(struct longer *l)
  * %".  lead: the first row of its sample; value: the column of its numbers in
  * the long table. */
 static char *
-sample_heading(const struct longer *l, size_t lead, size_t value)
+wide_table_heading(const struct longer *l, size_t lead, size_t value)
 {
 	static const char *const UNITS[] = {[SPEED_NO_UNIT] = "",
 	    [SPEED_MPS] = "m/s",
@@ -241,7 +243,7 @@ sample_heading(const struct longer *l, size_t lead, size_t value)
 			xappend_to_list(&text, " ", "%s %s", cell.text,
 			    number ? UNITS[unit] : "");
 	}
-	FREED char *own = layout_heading_text(t, value);
+	FREED char *own = layout_column_heading_text(t, value);
 	xappend_to_list(&text, " ", "%s", own);
 	return text;
 }
@@ -249,12 +251,12 @@ sample_heading(const struct longer *l, size_t lead, size_t value)
 /* Returns the name of the sample with first row `lead`: all cells that identify
  * it. */
 static char *
-sample_name(const struct longer *l, size_t lead)
+long_table_sample_name(const struct longer *l, size_t lead)
 {
 	char *text = xstrdup("");
 	for (size_t c = 1; c < l->table->n_col; c++) {
 		struct cell cell = l->table->row[lead].cell[c];
-		if (identifies_sample(l, c) && cell.value != AS_ABSENT)
+		if (is_sample_id_column(l, c) && cell.value != AS_ABSENT)
 			xappend_to_list(&text, " ", "%s", cell.text);
 	}
 	return text;
@@ -278,13 +280,13 @@ new_empty_row(size_t n, const struct row *from)
 /* Returns true if the wide table has room for all samples, else false with a
  * fault. */
 static bool
-has_room_for_samples(const struct longer *l)
+has_table_room_for_samples(const struct longer *l)
 {
 	const struct table *t = l->table;
 	size_t most = SOURCE_MOST_CELLS / l->n_size;
 	most = (most < MOST_COLUMNS ? most : MOST_COLUMNS) / l->n_value;
 	return l->n_sample <= most ||
-	       sheet_fault(t->sheet, t->row[0].cell[0],
+	       sheet_report_fault(t->sheet, t->row[0].cell[0],
 		   "expected a long table of at most %zu samples, got %zu with "
 		   "%zu columns of numbers each\n"
 		   "divide it, or read a part of it: load %s range=A1:F500",
@@ -294,7 +296,7 @@ has_room_for_samples(const struct longer *l)
 /* Returns the day of a sample if all of its rows have the same text in column
  * c, else NULL. */
 static char *
-day_in_all_rows(const struct longer *l, size_t lead, size_t c)
+day_shared_by_rows_of_sample(const struct longer *l, size_t lead, size_t c)
 {
 	const struct row *row = l->table->row;
 	char *text = row[lead].cell[c].text;
@@ -307,20 +309,23 @@ day_in_all_rows(const struct longer *l, size_t lead, size_t c)
 
 /* Writes the headings, names and days of all samples. */
 static void
-write_sample_headings(const struct longer *l, struct table *wide)
+set_wide_table_headings(const struct longer *l, struct table *wide)
 {
 	const struct table *t = l->table;
 	size_t at = 1, days = site_day_column(t);
 	for (size_t s = 0; s < l->n_sample; s++) {
 		size_t lead = l->sample[s];
-		char *name = layout_adopt_text(wide, sample_name(l, lead));
-		char *day = days > 0 ? day_in_all_rows(l, lead, days) : NULL;
+		char *name =
+		    layout_adopt_text(wide, long_table_sample_name(l, lead));
+		char *day = days > 0
+				? day_shared_by_rows_of_sample(l, lead, days)
+				: NULL;
 		for (size_t c = 1; c < t->n_col; c++) {
 			if (l->use[c] != VALUE)
 				continue;
-			char *text =
-			    layout_adopt_text(wide, sample_heading(l, lead, c));
-			wide->head[0].cell[at] = number_cell_with_text(
+			char *text = layout_adopt_text(
+			    wide, wide_table_heading(l, lead, c));
+			wide->head[0].cell[at] = number_reparse_cell_with_text(
 			    t->sheet, t->row[lead].cell[c], text);
 			wide->day[at] = day;
 			wide->name[at] = name;
@@ -331,7 +336,7 @@ write_sample_headings(const struct longer *l, struct table *wide)
 
 /* Replaces the long table with a wide one. */
 static void
-widen_table(struct longer *l)
+replace_by_wide_table(struct longer *l)
 {
 	struct table *t = l->table, old = *t, wide = *t;
 	wide.n_col = 1 + l->n_value * l->n_sample;
@@ -345,11 +350,11 @@ widen_table(struct longer *l)
 	wide.day = xcalloc(wide.n_col, sizeof(*wide.day));
 	wide.head[0] = new_empty_row(
 	    wide.n_col, t->n_head > 0 ? &t->head[t->n_head - 1] : &t->row[0]);
-	char *size = layout_heading_text(t, 0);
+	char *size = layout_column_heading_text(t, 0);
 	wide.head[0].cell[0].text = layout_adopt_text(&wide, size);
 	wide.number[0] = t->number[0];
 	wide.name[0] = size;
-	write_sample_headings(l, &wide);
+	set_wide_table_headings(l, &wide);
 	for (size_t r = 0; r < t->n_row; r++) {
 		const struct entry *e = &l->entry[r];
 		struct row *row = &wide.row[e->size];
@@ -372,7 +377,7 @@ widen_table(struct longer *l)
 /* Looks for a column headed "ID", or with dates, that identifies the samples,
  * if nothing else does.  The first that makes the table a long one is used. */
 static bool
-is_long_by_id_or_date(struct longer *l)
+find_id_or_date_column(struct longer *l)
 {
 	const struct table *t = l->table;
 	bool found = false;
@@ -400,18 +405,18 @@ layout_long_to_wide(struct table *t, uint64_t told)
 	    .head = head,
 	    .entry = entry,
 	    .sample = sample};
-	for (size_t c = 0; c < t->n_col && !error_should_stop(t->sheet->errors);
-	     c++) {
-		FREED char *text = layout_heading_text(t, c);
+	for (size_t c = 0;
+	     c < t->n_col && !error_is_stop_requested(t->sheet->errors); c++) {
+		FREED char *text = layout_column_heading_text(t, c);
 		head[c] = heading_parse(text);
 		use[c] = c > 0 ? guess_column_use(t, c, &head[c]) : UNUSED;
 		l.n_value += use[c] == VALUE;
 	}
-	number_distinct_sizes(&l, told);
-	if ((find_samples_of_long_table(&l) || is_long_by_id_or_date(&l)) &&
-	    (good = has_room_for_samples(&l))) {
+	assign_size_numbers(&l, told);
+	if ((find_samples_of_long_table(&l) || find_id_or_date_column(&l)) &&
+	    (good = has_table_room_for_samples(&l))) {
 		sort_samples_by_number(&l);
-		widen_table(&l);
+		replace_by_wide_table(&l);
 	}
 	return good;
 }

@@ -234,7 +234,7 @@ struct index {
 /* Returns the one index, which lexicon_word_meanings fills at its first
  * call. */
 static struct index *
-lexicon_index(void)
+lexicon_get_lookup_table(void)
 {
 	static struct index index;
 	return &index;
@@ -251,7 +251,7 @@ compare_known_words(const void *a, const void *b)
 static void
 fill_lexicon_index(void)
 {
-	struct index *index = lexicon_index();
+	struct index *index = lexicon_get_lookup_table();
 	struct known *word = index->word;
 	size_t n = 0, all = 0;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
@@ -302,7 +302,7 @@ static uint64_t
 meanings_of_abbreviation(const char *start, size_t n)
 {
 	enum { LEAST = 4 }; /* "apr" and "mar" are months */
-	const struct index *index = lexicon_index();
+	const struct index *index = lexicon_get_lookup_table();
 	uint64_t shared = 0;
 	bool any = false;
 	for (size_t i = 0; n >= LEAST && i < index->n; i++) {
@@ -319,7 +319,7 @@ uint64_t
 lexicon_word_meanings(const char *word, size_t n)
 {
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
-	const struct index *index = lexicon_index();
+	const struct index *index = lexicon_get_lookup_table();
 	const struct known wanted = {word, n, 0}, *found = NULL;
 	pthread_once(&once, fill_lexicon_index);
 	if (n > 0 && n <= index->longest)
@@ -330,7 +330,7 @@ lexicon_word_meanings(const char *word, size_t n)
 }
 
 uint64_t
-lexicon_meanings(const char *text, size_t *unknown)
+lexicon_text_meanings(const char *text, size_t *unknown)
 {
 	static const char LETTERS[] = "abcdefghijklmnopqrstuvwxyz0123456789";
 	FREED char *folded = text_fold_case_and_accents(text);
@@ -398,7 +398,7 @@ static const char *const OTHER_DAYS[] = {"analy", "siev", "sikt", "sieb",
     "utskr"};
 
 static bool
-has_any_part(const char *folded, const char *const *part, size_t n)
+contains_any_substring(const char *folded, const char *const *part, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
 		if (strstr(folded, part[i]) != NULL)
@@ -410,16 +410,17 @@ enum lexicon_day
 lexicon_day_kind_of_label(const char *label)
 {
 	FREED char *folded = text_fold_case_and_accents(label);
-	if (has_any_part(folded, OTHER_DAYS, ARRAY_LEN(OTHER_DAYS)))
+	if (contains_any_substring(folded, OTHER_DAYS, ARRAY_LEN(OTHER_DAYS)))
 		return DAY_OTHER;
-	if (!has_any_part(folded, DAYS, ARRAY_LEN(DAYS)))
+	if (!contains_any_substring(folded, DAYS, ARRAY_LEN(DAYS)))
 		return DAY_NONE;
-	return has_any_part(folded, SAMPLING, ARRAY_LEN(SAMPLING)) ? DAY_SAMPLED
-								   : DAY_ANY;
+	return contains_any_substring(folded, SAMPLING, ARRAY_LEN(SAMPLING))
+		   ? DAY_SAMPLED
+		   : DAY_ANY;
 }
 
 bool
-lexicon_is_label_of_day(const char *label)
+lexicon_is_date_label(const char *label)
 {
 	return lexicon_day_kind_of_label(label) >= DAY_ANY;
 }
@@ -456,7 +457,7 @@ is_key_in_list(const char *key, const char *list)
 }
 
 enum lexicon_key
-lexicon_key_from_text(const char *text)
+lexicon_site_key_of_text(const char *text)
 {
 	size_t k = 0;
 	while (k < N_KEY && !is_key_in_list(text, KEYS[k]))

@@ -55,7 +55,7 @@ enum lexicon_day { DAY_OTHER, DAY_NONE, DAY_ANY, DAY_SAMPLED };
 enum lexicon_day lexicon_day_kind_of_label(const char *label);
 
 /* True for "Date", "Provtagen", "Sample date", not for "Date of analysis". */
-bool lexicon_is_label_of_day(const char *label);
+bool lexicon_is_date_label(const char *label);
 
 /* Returns the meanings of one word, n bytes folded by
  * text_fold_case_and_accents, or 0 if unknown. */
@@ -63,7 +63,7 @@ uint64_t lexicon_word_meanings(const char *word, size_t n);
 
 /* Returns the combined meanings of all words in a text.  *unknown gets the
  * number of words without a meaning; it may be NULL. */
-uint64_t lexicon_meanings(const char *text, size_t *unknown);
+uint64_t lexicon_text_meanings(const char *text, size_t *unknown);
 
 /* Keys that lines above the tables begin with. */
 enum lexicon_key {
@@ -76,6 +76,6 @@ enum lexicon_key {
 };
 
 /* Returns the key that matches a text, ignoring case and accents, or N_KEY. */
-enum lexicon_key lexicon_key_from_text(const char *text);
+enum lexicon_key lexicon_site_key_of_text(const char *text);
 
 #endif

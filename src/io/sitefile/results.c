@@ -68,7 +68,7 @@ command_in_json(const char *bytes, size_t n)
 }
 
 static char *
-command_in_workbook(const char *path)
+command_that_made_workbook(const char *path)
 {
 	struct error_list errors = {0};
 	struct source source = {0};
@@ -97,7 +97,8 @@ command_that_made_file(const char *path)
 		fclose(file);
 	/* A workbook must be read whole; one with results is small. */
 	if (n > 2 && memcmp(bytes, "PK", 2) == 0)
-		return about.st_size <= MOST ? command_in_workbook(path) : NULL;
+		return about.st_size <= MOST ? command_that_made_workbook(path)
+					     : NULL;
 	if ((command = command_in_json(bytes, n)) != NULL)
 		return command;
 	while (n > 0 && bytes[n - 1] != '\n')

@@ -62,7 +62,7 @@ is_word_for_diameter(const char *word, size_t n)
 }
 
 static size_t
-word_bytes(const char *p)
+length_of_word(const char *p)
 {
 	size_t n = 0;
 	while (text_is_letter_byte(p[n]))
@@ -126,7 +126,7 @@ parse_number_in_mm(const char **text, size_t n, double unit)
 }
 
 static size_t
-number_bytes(const char *p)
+length_of_number(const char *p)
 {
 	size_t n = strspn(p, "0123456789");
 	bool decimals =
@@ -146,11 +146,11 @@ is_number_without_unit(const char *end, const char *after, size_t word)
 }
 
 static void
-parse_rotor_number(struct search *s, const char **text)
+parse_rotor_diameter_number(struct search *s, const char **text)
 {
-	size_t n = number_bytes(*text);
+	size_t n = length_of_number(*text);
 	const char *after = *text + n + strspn(*text + n, " -");
-	size_t word = *after == '"' ? 1 : word_bytes(after);
+	size_t word = *after == '"' ? 1 : length_of_word(after);
 	double unit = mm_of_unit(after, word);
 	bool bare = is_number_without_unit(*text + n, after, word);
 	bool meant = s->rotor || (s->diameter && s->alone);
@@ -197,7 +197,7 @@ is_unnamed_rotor_diameter(const char *text, const char *folded)
 {
 	struct head head = heading_parse(text);
 	for (const char *p = folded; *p != '\0';) {
-		size_t n = word_bytes(p);
+		size_t n = length_of_word(p);
 		if (n > 1 && !is_word_for_diameter(p, n) &&
 		    (lexicon_word_meanings(p, n) & (WORD_SIZE | WORD_ROTOR)) ==
 			WORD_SIZE)
@@ -215,9 +215,9 @@ rotor_diameter_mm_in_text(const char *text, bool machine)
 	struct search s = {.machine = machine};
 	s.alone = is_unnamed_rotor_diameter(text, folded);
 	for (const char *p = folded; *p != '\0';) {
-		size_t n = word_bytes(p);
+		size_t n = length_of_word(p);
 		if (isdigit((unsigned char)*p)) {
-			parse_rotor_number(&s, &p);
+			parse_rotor_diameter_number(&s, &p);
 			continue;
 		}
 		bool joins = *p == '-' && p > folded && p[-1] != ' ';

@@ -82,7 +82,7 @@ parse_mixed_fraction(const char **text)
 /* Reads the series that the word at *text states, and moves *text past it.
  * Returns SIEVE_NONE if the word cannot be part of a sieve name. */
 static enum sieve_series
-parse_series_word(const char **text)
+parse_sieve_series_word(const char **text)
 {
 	static const struct {
 		const char *word;
@@ -131,7 +131,7 @@ parse_sieve_series_and_number(const char *text, double *value)
 			*value = good ? parse_mixed_fraction(&p) : NAN;
 			continue;
 		}
-		enum sieve_series word = parse_series_word(&p);
+		enum sieve_series word = parse_sieve_series_word(&p);
 		good = word != SIEVE_NONE;
 		if (series == SIEVE_NONE || series == SIEVE_MESH)
 			series = word;
@@ -145,7 +145,7 @@ parse_sieve_series_and_number(const char *text, double *value)
 /* Returns the opening, mm, of the sieve with this number in a series, or
  * NAN. */
 static double
-opening_of_number(enum sieve_series series, double number)
+sieve_opening_of_number(enum sieve_series series, double number)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++) {
 		enum sieve_series astm = i < N_INCHES ? SIEVE_INCH : SIEVE_ASTM;
@@ -180,21 +180,21 @@ nearest_sieve_opening(double mm, double share)
 /* Returns the standard opening near a size in inches, because decimal inches
  * are rounded metric openings (0.0469 is 1.18 mm); else the size itself, mm. */
 static double
-mm_of_inches(double inches)
+sieve_mm_of_inches(double inches)
 {
 	double mm = 25.4 * inches, nearest = nearest_sieve_opening(mm, 0.015);
 	return isnan(nearest) ? mm : nearest;
 }
 
 enum sieve_series
-sieve_name_series(const char *text)
+sieve_series_of_name(const char *text)
 {
 	double value;
 	return parse_sieve_series_and_number(text, &value);
 }
 
 double
-sieve_name_mm(const char *text, enum sieve_series head)
+sieve_mm_of_name(const char *text, enum sieve_series head)
 {
 	double value;
 	enum sieve_series series = parse_sieve_series_and_number(text, &value);
@@ -211,9 +211,10 @@ sieve_name_mm(const char *text, enum sieve_series head)
 			     ? SIEVE_INCH
 			     : head;
 	}
-	double mm = opening_of_number(series, value);
-	return series == SIEVE_INCH && bare && isnan(mm) ? mm_of_inches(value)
-							 : mm;
+	double mm = sieve_opening_of_number(series, value);
+	return series == SIEVE_INCH && bare && isnan(mm)
+		   ? sieve_mm_of_inches(value)
+		   : mm;
 }
 
 bool
@@ -296,18 +297,18 @@ is_pan_name(const struct cell *cell)
 		return v > -LEAST_PHI;
 	if (text[0] == '-' && isdigit((unsigned char)text[1])) {
 		const char *rest = text + 1 + strspn(text + 1, "0123456789.,");
-		uint64_t unit = lexicon_meanings(rest, &unknown);
+		uint64_t unit = lexicon_text_meanings(rest, &unknown);
 		return (unit & (WORD_MM | WORD_UM)) != 0 && unknown == 0 &&
 		       strpbrk(rest, "0123456789/") == NULL;
 	}
 	if (text[0] == '<') {
 		const char *rest = text + 1 + strspn(text + 1, " ");
 		return isdigit((unsigned char)rest[0]) ||
-		       sieve_name_series(rest) != SIEVE_NONE;
+		       sieve_series_of_name(rest) != SIEVE_NONE;
 	}
 	if (isdigit((unsigned char)text[0]) || strpbrk(text, "0123456789"))
 		return false;
-	uint64_t means = lexicon_meanings(text, &unknown);
+	uint64_t means = lexicon_text_meanings(text, &unknown);
 	return (means & WORD_PAN) != 0 && unknown == 0 &&
 	       (means & (WORD_TOTAL | WORD_LOSS)) == 0;
 }
@@ -315,7 +316,7 @@ is_pan_name(const struct cell *cell)
 /* Cuts the cell "63 um" to 63 and returns the length of the unit, mm; 0 if
  * there is no unit of length. */
 static double
-sieve_size_cut_unit(
+sieve_size_split_off_unit(
     const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
 	size_t n = strlen(cell->text), unknown;
@@ -327,13 +328,13 @@ sieve_size_cut_unit(
 	/* 64 m/s is a speed. */
 	if (at == 0 || at == n || strchr(cell->text + at, '/') != NULL)
 		return 0;
-	struct sieve_unit unit =
-	    sieve_unit_from_words(lexicon_meanings(cell->text + at, &unknown));
+	struct sieve_unit unit = sieve_unit_from_words(
+	    lexicon_text_meanings(cell->text + at, &unknown));
 	if (unknown > 0 || unit.mm == 0)
 		return 0;
 	memcpy(copy, cell->text, at);
 	copy[at] = '\0';
-	*cell = number_cell_with_text(sheet, *cell, copy);
+	*cell = number_reparse_cell_with_text(sheet, *cell, copy);
 	return unit.mm;
 }
 
@@ -351,9 +352,9 @@ read_end_of_class(
     const struct sheet *sheet, char *text, double *value, double *own)
 {
 	char copy[40];
-	struct cell cell =
-	    number_cell_with_text(sheet, (struct cell){0}, text_trim(text));
-	*own = sieve_size_cut_unit(sheet, &cell, copy);
+	struct cell cell = number_reparse_cell_with_text(
+	    sheet, (struct cell){0}, text_trim(text));
+	*own = sieve_size_split_off_unit(sheet, &cell, copy);
 	return *own <= 1 && number_value_of_cell(cell, value);
 }
 
@@ -406,7 +407,7 @@ sieve_cell_is_class(const struct sheet *sheet, struct cell cell)
 }
 
 double
-sieve_upper_mm_of_class(
+sieve_upper_mm_of_class_cell(
     const struct sheet *sheet, struct cell cell, struct sieve_unit unit)
 {
 	double lower, upper;
@@ -434,7 +435,7 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 	/* With mesh numbers, -200 is what passes No. 200. */
 	bool mesh = unit.series != SIEVE_NONE && unit.series != SIEVE_PHI &&
 		    unit.series != SIEVE_INCH && cell.text[0] == '-' &&
-		    sieve_name_mm(cell.text + 1, unit.series) > 0;
+		    sieve_mm_of_name(cell.text + 1, unit.series) > 0;
 	if (mesh || is_pan_name(&cell))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
@@ -444,7 +445,7 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 		*mm = round(exp2(-value) * 1e9) / 1e9;
 		return SIEVE_IS_SIZE;
 	}
-	double named = sieve_name_mm(cell.text, unit.series);
+	double named = sieve_mm_of_name(cell.text, unit.series);
 	if (named != 0) {
 		*mm = named;
 		return SIEVE_IS_SIZE;
@@ -455,7 +456,7 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 		*mm = lower > 0 ? lower : (double)NAN;
 		return lower > 0 ? SIEVE_IS_SIZE : SIEVE_IS_PAN;
 	}
-	double own = sieve_size_cut_unit(sheet, &cell, copy);
+	double own = sieve_size_split_off_unit(sheet, &cell, copy);
 	if (!number_value_of_cell(cell, &value) || value < 0)
 		return SIEVE_IS_NONE;
 	if (value == 0)

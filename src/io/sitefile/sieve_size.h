@@ -22,14 +22,14 @@ enum sieve_series {
 
 /* Returns the series that the name of a sieve states, or SIEVE_NONE if the text
  * is not such a name. */
-enum sieve_series sieve_name_series(const char *text);
+enum sieve_series sieve_series_of_name(const char *text);
 
 /* Returns the opening, mm, of the sieve with this name: an ASTM E11 number
  * after #, No. or Nº, inches such as 1/2 in, 1 1/2 inch or 3/8", or a mesh
  * number with Tyler or BS.  Returns 0 if the text is not a sieve name, and NAN
  * if it has the form of one but there is no such sieve.  head: the series of
  * numbers without a name, from the heading of the column. */
-double sieve_name_mm(const char *text, enum sieve_series head);
+double sieve_mm_of_name(const char *text, enum sieve_series head);
 
 /* True if a size in mm is within 1 % of a sieve in ISO 565, EN 933-2 or ASTM
  * E11. */
@@ -73,7 +73,7 @@ bool sieve_cell_is_class(const struct sheet *sheet, struct cell cell);
 
 /* Returns the upper sieve, mm, of a class between two sieves, or 0 if the cell
  * is not such a class. */
-double sieve_upper_mm_of_class(
+double sieve_upper_mm_of_class_cell(
     const struct sheet *sheet, struct cell cell, struct sieve_unit unit);
 
 #endif

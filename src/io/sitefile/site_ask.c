@@ -35,15 +35,15 @@ site_ask_find_ambiguous_number(struct open *open, const struct table *t)
 
 /* Returns the first filled cells of a column: "100 97.8 92.9". */
 static char *
-first_values_text(const struct table *t, size_t at)
+first_cells_of_column_text(const struct table *t, size_t at)
 {
 	char *list = xstrdup("");
 	for (size_t r = 0, n = 0; r < t->n_row && n < 4; r++) {
 		const char *text = t->row[r].cell[at].text;
 		if (text[0] == '\0')
 			continue;
-		xappend_to_list(
-		    &list, " ", "%.*s", sheet_bytes_to_show(text), text);
+		xappend_to_list(&list, " ", "%.*s",
+		    sheet_truncated_text_length(text), text);
 		n++;
 	}
 	return list;
@@ -52,7 +52,7 @@ first_values_text(const struct table *t, size_t at)
 /* Returns the name that the sheet gives a sample or, if no heading names
  * samples, the lowest heading of its column. */
 static const char *
-name_of_sample(const struct column *c)
+sample_name_or_heading(const struct column *c)
 {
 	const struct cell *name = samples_name_of_column(c->table, c->at);
 	return name != NULL ? name->text : c->head.text;
@@ -63,12 +63,12 @@ add_column_to_question(struct site_ask *ask, const struct table *t, size_t at,
     const char *head, char *guess, bool open)
 {
 	ask->column = xrealloc(ask->column, ask->n + 1, sizeof *ask->column);
-	ask->column[ask->n++] =
-	    (struct site_ask_column){.number = t->number[at],
-		.head = xstrndup(head, (size_t)sheet_bytes_to_show(head)),
-		.values = first_values_text(t, at),
-		.guess = guess,
-		.open = open};
+	ask->column[ask->n++] = (struct site_ask_column){
+	    .number = t->number[at],
+	    .head = xstrndup(head, (size_t)sheet_truncated_text_length(head)),
+	    .values = first_cells_of_column_text(t, at),
+	    .guess = guess,
+	    .open = open};
 }
 
 /* True if it is better to ask for samples by name than by column: in a long
@@ -100,7 +100,7 @@ is_better_asked_by_sample(
 /* True if each table has one sample and is alone on a sheet with a name of its
  * own, so that the names of the sheets tell the samples apart. */
 static bool
-is_better_asked_by_sheet(
+do_sheet_names_identify_samples(
     struct table *const *table, size_t n_table, const struct columns *all)
 {
 	for (size_t k = 0; k < n_table; k++) {
@@ -109,7 +109,7 @@ is_better_asked_by_sheet(
 		    strpbrk(name, "\",=") != NULL)
 			return false;
 		for (size_t i = 0; i < k; i++)
-			if (text_same_folded(
+			if (text_is_same_folded(
 				samples_sheet_label(table[i]->sheet), name))
 				return false;
 	}
@@ -132,14 +132,15 @@ describe_guessed_role(const struct column *c, bool *feed)
 /* Returns false if two samples are known to come from different sites or
  * machines. */
 static bool
-is_of_same_site(const struct column *a, const struct column *b)
+can_be_of_same_site(const struct column *a, const struct column *b)
 {
 	return a->whose == NULL || b->whose == NULL ||
-	       text_same_folded(a->whose, b->whose);
+	       text_is_same_folded(a->whose, b->whose);
 }
 
 static void
-add_sieves_to_question(struct site_ask *ask, const struct table *t, bool open)
+add_sieve_column_to_question(
+    struct site_ask *ask, const struct table *t, bool open)
 {
 	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
 	add_column_to_question(
@@ -149,7 +150,7 @@ add_sieves_to_question(struct site_ask *ask, const struct table *t, bool open)
 /* True if tables on one sheet have the same columns, and their titles say which
  * sample each is.  Then one columns= can say for all what the numbers are. */
 static bool
-have_titles_for_samples(
+do_titles_name_samples(
     struct table *const *table, size_t n_table, const struct columns *all)
 {
 	static const uint64_t ROLES = WORD_FEED | WORD_PRODUCT | WORD_SD;
@@ -172,14 +173,14 @@ have_titles_for_samples(
 /* Lists the columns of a table with their quantities.  If one of them is
  * certain, open columns get "-" and are left out of the proposed answer. */
 static void
-list_quantities(
+add_column_quantities_to_question(
     struct site_ask *ask, const struct table *t, const struct columns *all)
 {
 	size_t sure = 0;
 	for (size_t i = 0; i < all->n; i++)
 		sure += all->column[i].table == t && !all->column[i].open &&
 			all->column[i].twin == 0;
-	add_sieves_to_question(ask, t, false);
+	add_sieve_column_to_question(ask, t, false);
 	FREED char *text =
 	    xasprintf("%zu=%s", t->number[0], ask->column[0].guess);
 	for (size_t i = 0; i < all->n; i++) {
@@ -206,10 +207,10 @@ list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
 {
 	enum { SHOWN = 2 };
-	bool by_sheet = is_better_asked_by_sheet(table, n_table, all);
+	bool by_sheet = do_sheet_names_identify_samples(table, n_table, all);
 	bool by_sample =
 	    by_sheet || is_better_asked_by_sample(table, n_table, all);
-	bool feed = site_column_count_role(all, NULL, FEED) > 0;
+	bool feed = site_column_count_by_role(all, NULL, FEED) > 0;
 	FREED char *text = xstrdup("");
 	const struct column *own = NULL;
 	size_t shown = 0;
@@ -218,7 +219,7 @@ list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
 		const struct table *t = table[k];
 		ask->across = t->across && !by_sample;
 		if (!by_sample || k == 0)
-			add_sieves_to_question(ask, t, sieves);
+			add_sieve_column_to_question(ask, t, sieves);
 		if (!by_sample)
 			xappend_to_list(&text, ", ", "%zu=%s", t->number[0],
 			    ask->column[ask->n - 1].guess);
@@ -236,12 +237,12 @@ list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
 					: xasprintf("%zu", t->number[c->at]);
 			const char *at = by_sample ? strchr(guess, '@') : NULL;
 			own = own != NULL || c->whose == NULL ? own : c;
-			bool mine = own == NULL || is_of_same_site(own, c);
+			bool mine = own == NULL || can_be_of_same_site(own, c);
 			if (mine && (!by_sample || by_sheet || shown++ < SHOWN))
 				xappend_to_list(&text, ", ", "%s=%s", name,
 				    at != NULL ? at : guess);
 			add_column_to_question(ask, t, c->at,
-			    by_sample ? name : name_of_sample(c), guess,
+			    by_sample ? name : sample_name_or_heading(c), guess,
 			    c->open);
 		}
 	}
@@ -256,7 +257,7 @@ list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
 
 /* Returns the files and options of the request, as `load` takes them. */
 static char *
-files_and_options_text(const struct site_request *q, const char *settle)
+load_files_and_options_text(const struct site_request *q, const char *settle)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < q->n; i++) {
@@ -288,9 +289,9 @@ files_and_options_text(const struct site_request *q, const char *settle)
  * only for its feed, its command does not have these options, so the sheet is
  * loaded and written anew. */
 static char *
-load_command_with_answer(const struct site_request *q, const char *settle)
+load_command_text_with_answer(const struct site_request *q, const char *settle)
 {
-	FREED char *files = files_and_options_text(q, settle);
+	FREED char *files = load_files_and_options_text(q, settle);
 	char *line =
 	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
 	const char *name = file_name_without_folders(q->path[0]);
@@ -309,15 +310,15 @@ hint_to_write_feed_again(const struct site_request *q)
 /* Reports the question as a fault, whose hint is the command with the proposed
  * answer.  Returns true. */
 static bool __attribute__((format(printf, 5, 6)))
-refuse_with_question(const struct site_request *q, const struct table *t,
+report_question_as_fault(const struct site_request *q, const struct table *t,
     struct cell where, const struct site_ask *ask, const char *what, ...)
 {
 	va_list ap;
 	va_start(ap, what);
 	FREED char *said = xvasprintf(what, ap);
 	va_end(ap);
-	FREED char *line = load_command_with_answer(q, ask->settle);
-	return !error_at(error_add(t->sheet->errors), ERROR_DATA,
+	FREED char *line = load_command_text_with_answer(q, ask->settle);
+	return !error_set_at(error_list_add_item(t->sheet->errors), ERROR_DATA,
 	    t->sheet->path, where.line, where.column,
 	    "%s\nsay what it is%s: %s", said, hint_to_write_feed_again(q),
 	    line);
@@ -339,7 +340,7 @@ is_table_of_same_site(
 {
 	const struct table *t = s->table[k];
 	if (!site_column_samples_of_table(s->all, t).products ||
-	    title_tells_limits_or_mean(t))
+	    title_mentions_limits_or_mean(t))
 		return false;
 	FREED char *line = title_feed_or_last_line(s->table[feed]),
 		   *own = title_feed_or_last_line(t);
@@ -356,11 +357,11 @@ propose_tables_of_site(struct tables *s)
 	size_t feed = 0;
 	const struct table *like = NULL;
 	while (feed < s->n &&
-	       site_column_count_role(s->all, s->table[feed], FEED) == 0)
+	       site_column_count_by_role(s->all, s->table[feed], FEED) == 0)
 		feed++;
 	feed = feed < s->n ? feed : 0;
 	s->first = s->last = feed;
-	if (site_column_count_role(s->all, s->table[feed], FEED) == 0)
+	if (site_column_count_by_role(s->all, s->table[feed], FEED) == 0)
 		return;
 	while (s->last + 1 < s->n &&
 	       is_table_of_same_site(s, s->last + 1, feed, like)) {
@@ -375,7 +376,8 @@ propose_tables_of_site(struct tables *s)
 }
 
 static void
-extend_range_by_rows(struct cell_range *box, const struct row *row, size_t n)
+extend_cell_range_over_rows(
+    struct cell_range *box, const struct row *row, size_t n)
 {
 	for (size_t r = 0; r < n; r++) {
 		int line = row[r].line;
@@ -387,7 +389,7 @@ extend_range_by_rows(struct cell_range *box, const struct row *row, size_t n)
 /* Returns the range of cells of a table's first n_row rows; or its whole lines,
  * if the sieves are in one line. */
 static struct cell_range
-range_of_table_rows(const struct table *t, size_t n_row)
+cell_range_of_table_rows(const struct table *t, size_t n_row)
 {
 	struct cell_range box = {0};
 	int least = (int)t->number[0], most = least, wide = 1;
@@ -402,10 +404,10 @@ range_of_table_rows(const struct table *t, size_t n_row)
 				wide = (int)t->sheet->row[r].n_all;
 		return (struct cell_range){least, 1, most, wide};
 	}
-	extend_range_by_rows(&box, t->head, t->n_head);
-	extend_range_by_rows(&box, t->row, n_row);
+	extend_cell_range_over_rows(&box, t->head, t->n_head);
+	extend_cell_range_over_rows(&box, t->row, n_row);
 	if (n_row == t->n_row)
-		extend_range_by_rows(&box, t->foot, t->n_foot);
+		extend_cell_range_over_rows(&box, t->foot, t->n_foot);
 	box.left = least;
 	box.right = most;
 	return box;
@@ -413,12 +415,13 @@ range_of_table_rows(const struct table *t, size_t n_row)
 
 /* Describes the samples that a table seems to contain: "feed, product@69". */
 static char *
-describe_table_contents(const struct table *t, const struct columns *all)
+describe_samples_of_table(const struct table *t, const struct columns *all)
 {
 	enum { MOST = 3 };
 	size_t n = 0;
 	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n && !title_tells_limits_or_mean(t); i++) {
+	for (size_t i = 0; i < all->n && !title_mentions_limits_or_mean(t);
+	     i++) {
 		const struct column *c = &all->column[i];
 		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
 			continue;
@@ -434,8 +437,8 @@ describe_table_contents(const struct table *t, const struct columns *all)
 		xappend(&list, ", ..");
 	if (n == 0)
 		xappend(&list, "%s",
-		    title_tells_limits_or_mean(t) ? tr("limits or a mean")
-						  : tr("not said"));
+		    title_mentions_limits_or_mean(t) ? tr("limits or a mean")
+						     : tr("not said"));
 	return list;
 }
 
@@ -450,12 +453,13 @@ list_tables_in_question(const struct tables *s, struct site_ask *ask)
 	ask->column = xcalloc(s->n, sizeof *ask->column);
 	for (size_t i = 0; i < s->n; i++) {
 		const struct table *t = s->table[i];
-		struct cell_range box = range_of_table_rows(t, t->n_row);
+		struct cell_range box = cell_range_of_table_rows(t, t->n_row);
 		FREED char *line = title_feed_or_last_line(t);
 		ask->column[i] = (struct site_ask_column){.number = i + 1,
-		    .head = xstrndup(line, (size_t)sheet_bytes_to_show(line)),
+		    .head = xstrndup(
+			line, (size_t)sheet_truncated_text_length(line)),
 		    .values = xasprintf(tr("%d to %d"), box.top, box.bottom),
-		    .guess = describe_table_contents(t, s->all),
+		    .guess = describe_samples_of_table(t, s->all),
 		    .box = box};
 	}
 	FREED char *range =
@@ -465,7 +469,7 @@ list_tables_in_question(const struct tables *s, struct site_ask *ask)
 
 /* Returns the second table that has a feed for all runs, or NULL. */
 static const struct table *
-table_with_second_feed(const struct columns *all)
+second_table_with_feed(const struct columns *all)
 {
 	const struct table *first = NULL;
 	for (size_t i = 0; i < all->n; i++) {
@@ -492,7 +496,7 @@ ask_which_table(const struct site_request *q, struct table *const *table,
 		FREED char *files = xstrdup("");
 		for (size_t i = 0; i < q->n; i++)
 			xappend_to_list(&files, " ", "%s@SPEED", q->path[i]);
-		sheet_fault(second->sheet, second->row[0].cell[0],
+		sheet_report_fault(second->sheet, second->row[0].cell[0],
 		    "expected one feed, got one in each of several files\n"
 		    "give each the tip speed of its samples: load %s",
 		    files);
@@ -500,13 +504,14 @@ ask_which_table(const struct site_request *q, struct table *const *table,
 	}
 	if (first->sheet != second->sheet) {
 		ask->settle = xasprintf("sheet=\"%s\"", first->sheet->name);
-		return refuse_with_question(q, second, second->row[0].cell[0],
-		    ask, tr("expected one site, got sheets with a feed each"));
+		return report_question_as_fault(q, second,
+		    second->row[0].cell[0], ask,
+		    tr("expected one site, got sheets with a feed each"));
 	}
 	struct tables tables = {.table = table, .n = n_table, .all = all};
 	propose_tables_of_site(&tables);
 	list_tables_in_question(&tables, ask);
-	return refuse_with_question(q, first, second->row[0].cell[0], ask,
+	return report_question_as_fault(q, first, second->row[0].cell[0], ask,
 	    tr("expected one site, got several tables that may be of different "
 	       "machines, days or limits"));
 }
@@ -517,9 +522,10 @@ ask_about_sieves_listed_twice(
 {
 	const struct table *t = open->twice;
 	struct cell again = t->row[open->again].cell[0];
-	FREED char *range = cell_range_text(range_of_table_rows(t, open->end));
+	FREED char *range =
+	    cell_range_text(cell_range_of_table_rows(t, open->end));
 	ask->settle = xasprintf("range=%s", range);
-	return refuse_with_question(q, t, again, ask,
+	return report_question_as_fault(q, t, again, ask,
 	    tr("expected one table, got the sieves from %s on a second time"),
 	    again.text);
 }
@@ -584,11 +590,11 @@ only_number_above_100(const struct column *c)
  * numbers do not tell files apart.  If no file has a feed, the first may be the
  * one. */
 static void
-suggest_speeds_of_files(const struct site_request *q, const struct columns *all,
-    struct error *error)
+hint_speed_for_each_file(const struct site_request *q,
+    const struct columns *all, struct error *error)
 {
 	FREED char *files = xstrdup("");
-	bool none = site_column_count_role(all, NULL, FEED) == 0;
+	bool none = site_column_count_by_role(all, NULL, FEED) == 0;
 	for (size_t i = 0; i < q->n; i++) {
 		bool feed = none && i == 0;
 		for (size_t k = 0; k < all->n; k++)
@@ -602,53 +608,54 @@ suggest_speeds_of_files(const struct site_request *q, const struct columns *all,
 		else if (!feed)
 			xappend(&files, "@SPEED");
 	}
-	error_hint(error, "say their speeds: load %s", files);
+	error_set_hint(error, "say their speeds: load %s", files);
 }
 
 /* Asks whether two samples at one speed are repeats: `first` and the next one
  * that differs from it in name. */
 static bool
-ask_about_unlike_samples(const struct site_request *q,
+ask_if_samples_are_repeats(const struct site_request *q,
     const struct columns *all, const struct column *first, struct site_ask *ask)
 {
 	const struct column *other = first + 1;
 	while (other < all->column + all->n - 1 &&
 	       (!other->unlike || other->speed != first->speed))
 		other++;
-	const char *one = name_of_sample(first), *two = name_of_sample(other);
-	return refuse_with_question(q, first->table, first->head, ask,
+	const char *one = sample_name_or_heading(first),
+		   *two = sample_name_or_heading(other);
+	return report_question_as_fault(q, first->table, first->head, ask,
 	    tr("expected repeats of one product at %g m/s, got '%.*s' and "
 	       "'%.*s'"),
-	    first->speed, sheet_bytes_to_show(one), one,
-	    sheet_bytes_to_show(two), two);
+	    first->speed, sheet_truncated_text_length(one), one,
+	    sheet_truncated_text_length(two), two);
 }
 
 /* Asks which samples to read, if they come from several sites or machines. */
 static bool
-ask_whose_samples(const struct site_request *q, const struct columns *all,
+ask_which_site_samples(const struct site_request *q, const struct columns *all,
     const struct column *first, struct site_ask *ask)
 {
 	const struct column *other = first + 1;
 	while (other < all->column + all->n - 1 &&
-	       (other->whose == NULL || is_of_same_site(first, other)))
+	       (other->whose == NULL || can_be_of_same_site(first, other)))
 		other++;
 	const char *two = other->whose != NULL ? other->whose : "";
-	return refuse_with_question(q, first->table, first->head, ask,
+	return report_question_as_fault(q, first->table, first->head, ask,
 	    tr("expected samples of one site and machine, got those of '%.*s' "
 	       "and '%.*s'"),
-	    sheet_bytes_to_show(first->whose), first->whose,
-	    sheet_bytes_to_show(two), two);
+	    sheet_truncated_text_length(first->whose), first->whose,
+	    sheet_truncated_text_length(two), two);
 }
 
 /* Asks what a column is; or a line, if the samples are in lines. */
 static bool
-ask_what_it_is(const struct site_request *q, const struct column *c, bool speed,
-    struct site_ask *ask)
+ask_what_column_is(const struct site_request *q, const struct column *c,
+    bool speed, struct site_ask *ask)
 {
 	const struct table *t = c->table;
-	const char *name = name_of_sample(c);
-	FREED char *values = first_values_text(t, c->at);
-	return refuse_with_question(q, t, c->head, ask,
+	const char *name = sample_name_or_heading(c);
+	FREED char *values = first_cells_of_column_text(t, c->at);
+	return report_question_as_fault(q, t, c->head, ask,
 	    t->across ? speed ? tr("expected headings and numbers that tell "
 				   "what line %zu is, and its tip speed, got "
 				   "'%.*s' before %s")
@@ -659,20 +666,20 @@ ask_what_it_is(const struct site_request *q, const struct column *c, bool speed,
 			 "%s")
 		      : tr("expected headings and numbers that tell what "
 			     "column %zu is, got '%.*s' above %s"),
-	    t->number[c->at], sheet_bytes_to_show(name), name, values);
+	    t->number[c->at], sheet_truncated_text_length(name), name, values);
 }
 
 /* Asks about the first open column and, if it is not known, its speed. */
 static bool
-ask_about_open_column(const struct site_request *q, const struct column *first,
-    const struct columns *all, struct site_ask *ask)
+ask_about_unclear_column(const struct site_request *q,
+    const struct column *first, const struct columns *all, struct site_ask *ask)
 {
 	const struct table *t = first->table;
 	struct error *error = &t->sheet->errors->item[0];
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	const struct cell *above = only_number_above_100(first);
 	if (above != NULL)
-		return refuse_with_question(q, t, *above, ask,
+		return report_question_as_fault(q, t, *above, ask,
 		    t->across
 			? tr("expected at most 100 %% passing, got '%.*s': "
 			     "line %zu has no other number above 100; correct "
@@ -680,18 +687,18 @@ ask_about_open_column(const struct site_request *q, const struct column *first,
 			: tr("expected at most 100 %% passing, got '%.*s': "
 			     "column %zu has no other number above 100; "
 			     "correct it if it is a typing error"),
-		    sheet_bytes_to_show(above->text), above->text,
+		    sheet_truncated_text_length(above->text), above->text,
 		    t->number[first->at]);
 	if (first->whose != NULL)
-		return ask_whose_samples(q, all, first, ask);
+		return ask_which_site_samples(q, all, first, ask);
 	if (first->unlike)
-		return ask_about_unlike_samples(q, all, first, ask);
-	ask_what_it_is(q, first, speed, ask);
+		return ask_if_samples_are_repeats(q, all, first, ask);
+	ask_what_column_is(q, first, speed, ask);
 	bool known = first->speed > 0 || first->rpm > 0;
 	if (q->n > 1 && !known && !q->parts)
-		suggest_speeds_of_files(q, all, error);
+		hint_speed_for_each_file(q, all, error);
 	if (q->parts && speed && q->n == 1 && all->n == 1)
-		error_hint(error,
+		error_set_hint(error,
 		    "give its speed: add %s@SPEED, or with a log its time: add "
 		    "%s@2026-05-03T10:15",
 		    q->path[0], q->path[0]);
@@ -703,7 +710,7 @@ ask_decimal_sign(const struct open *open, const struct site_request *q,
     const struct table *t, struct site_ask *ask)
 {
 	ask->settle = xstrdup("decimal=point|comma");
-	return refuse_with_question(q, t, open->number, ask,
+	return report_question_as_fault(q, t, open->number, ask,
 	    tr("expected a number that can be read in one way, got %s: a "
 	       "decimal sign, or thousands?"),
 	    open->number.text);
@@ -714,7 +721,7 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask)
 {
-	const struct table *second = table_with_second_feed(all);
+	const struct table *second = second_table_with_feed(all);
 	for (size_t i = 0; i < n_table && second == NULL; i++)
 		if (table[i] == open->other)
 			second = table[i];
@@ -728,7 +735,7 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 		return ask_decimal_sign(open, q, table[0], ask);
 	if (open->rotor) {
 		ask->settle = xstrdup("rotor_mm=DIAMETER");
-		return refuse_with_question(q, table[0],
+		return report_question_as_fault(q, table[0],
 		    table[0]->row[0].cell[0], ask,
 		    tr("expected tip speeds in m/s, got rpm without the "
 		       "rotor's diameter"));
@@ -739,23 +746,24 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	if (propose_largest_table(&tables)) {
 		const struct table *most = tables.table[tables.first];
 		list_tables_in_question(&tables, ask);
-		return refuse_with_question(q, most, most->row[0].cell[0], ask,
+		return report_question_as_fault(q, most, most->row[0].cell[0],
+		    ask,
 		    tr("expected one table, got several: the one with most "
 		       "sieves is proposed"));
 	}
 	if (first == NULL && !open->sieves)
 		return false;
-	if (!open->sieves && have_titles_for_samples(table, n_table, all))
-		list_quantities(ask, table[0], all);
+	if (!open->sieves && do_titles_name_samples(table, n_table, all))
+		add_column_quantities_to_question(ask, table[0], all);
 	else
 		list_columns_to_ask_about(
 		    ask, table, n_table, all, open->sieves);
 	if (first == NULL)
-		return refuse_with_question(q, table[0],
+		return report_question_as_fault(q, table[0],
 		    table[0]->row[0].cell[0], ask,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
-	return ask_about_open_column(q, first, all, ask);
+	return ask_about_unclear_column(q, first, all, ask);
 }
 
 /* Returns the next sieve above a size, mm, in the series of the column's
@@ -767,12 +775,12 @@ next_sieve_up(const struct column *c, double mm)
 	const char *name = t->row[c->below - 1].cell[0].text;
 	bool astm = t->unit.series == SIEVE_ASTM ||
 		    t->unit.series == SIEVE_INCH ||
-		    sieve_name_series(name) != SIEVE_NONE;
+		    sieve_series_of_name(name) != SIEVE_NONE;
 	return sieve_next_coarser(mm, astm);
 }
 
 double
-site_ask_size_above_feed(const struct column *c)
+site_ask_find_known_top_size(const struct column *c)
 {
 	/* Sieve analyses are stated to 0.1 %, so this is 100.0. */
 	const double ALL_BUT = 99.95;
@@ -801,16 +809,16 @@ may_sizes_be_upper_ends(const struct column *c)
 /* Asks whether the sizes are sieves or upper ends of classes, and proposes
  * neither. */
 static void
-ask_whether_upper_ends(const struct column *c, const struct site_request *q,
-    double coarser, struct site_ask *ask)
+ask_whether_sizes_are_class_ends(const struct column *c,
+    const struct site_request *q, double coarser, struct site_ask *ask)
 {
 	const struct table *t = c->table;
 	size_t at = c->below - 1;
 	bool alone = t->sheet->errors->n == 0;
 	char p[32];
 	FREED char *settle = xasprintf("top=%g", coarser);
-	FREED char *line = load_command_with_answer(q, settle);
-	sheet_fault(t->sheet, t->row[at].cell[c->at],
+	FREED char *line = load_command_text_with_answer(q, settle);
+	sheet_report_fault(t->sheet, t->row[at].cell[c->at],
 	    "the coarsest sieve, %g mm, passes %s %% of the feed, and the "
 	    "finest nothing: are these sieves, or the upper ends of classes?\n"
 	    "for classes write both ends in the sheet, such as 8-16 and "
@@ -828,7 +836,7 @@ site_ask_top_size(
 	size_t at = c->below - 1;
 	double coarser = next_sieve_up(c, t->mm[at]);
 	if (may_sizes_be_upper_ends(c)) {
-		ask_whether_upper_ends(c, q, coarser, ask);
+		ask_whether_sizes_are_class_ends(c, q, coarser, ask);
 		return;
 	}
 	bool alone = t->sheet->errors->n == 0;
@@ -841,8 +849,8 @@ site_ask_top_size(
 				"since much is coarser)"),
 		       coarser, further)
 		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
-	FREED char *line = load_command_with_answer(q, settle);
-	sheet_fault(t->sheet, t->row[at].cell[c->at],
+	FREED char *line = load_command_text_with_answer(q, settle);
+	sheet_report_fault(t->sheet, t->row[at].cell[c->at],
 	    "the coarsest sieve, %g mm, passes %s %% of the feed, as is usual: "
 	    "which size does all of it pass?\n"
 	    "take %s%s: %s",
@@ -873,8 +881,8 @@ site_ask_refuse_second_feed(const struct column *further,
 			xappend(&columns, ", %zu=%s", t->number[c->at], words);
 	}
 	xappend(&columns, "\"");
-	FREED char *line = load_command_with_answer(q, columns);
-	sheet_fault(t->sheet, further->head,
+	FREED char *line = load_command_text_with_answer(q, columns);
+	sheet_report_fault(t->sheet, further->head,
 	    "expected one feed, or one for each product, got %s beside "
 	    "%s\n"
 	    "keep the first%s: %s",

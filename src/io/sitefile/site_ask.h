@@ -34,7 +34,7 @@ bool site_ask_pending_question(const struct open *open,
 /* Returns the size, mm, that all of a feed passes, if that need not be asked:
  * the next sieve above its coarsest one, if this passes 99.95 % or more, which
  * laboratories round to 100.0 %; else 0. */
-double site_ask_size_above_feed(const struct column *c);
+double site_ask_find_known_top_size(const struct column *c);
 
 /* Asks which size all of the feed passes, if less than 100 % passes its
  * coarsest sieve: adds a fault and, if it is the only one, fills *ask. */

@@ -50,13 +50,14 @@ site_unit_index(enum unit_kind kind, enum unit_scale scale)
 static const double SAME_SPEED = 1e-3;
 
 static bool
-has_role_and_speed(const struct column *c, enum role role, double speed)
+is_column_of_role_and_speed(
+    const struct column *c, enum role role, double speed)
 {
 	return c->role == role && fabs(c->speed - speed) <= SAME_SPEED;
 }
 
 size_t
-site_column_count_role(
+site_column_count_by_role(
     const struct columns *all, const struct table *t, enum role role)
 {
 	size_t n = 0;
@@ -72,7 +73,7 @@ site_column_count_at_speed(
 {
 	size_t n = 0;
 	for (size_t i = 0; i < all->n; i++)
-		n += has_role_and_speed(&all->column[i], role, speed);
+		n += is_column_of_role_and_speed(&all->column[i], role, speed);
 	return n;
 }
 
@@ -103,7 +104,7 @@ site_column_find(
 	size_t wanted =
 	    site_column_count_at_speed(all, role, speed) > 1 ? nth : 0;
 	for (size_t i = 0; i < all->n; i++)
-		if (has_role_and_speed(&all->column[i], role, speed) &&
+		if (is_column_of_role_and_speed(&all->column[i], role, speed) &&
 		    all->column[i].nth == wanted)
 			return &all->column[i];
 	return NULL;
@@ -116,7 +117,7 @@ static const double SUM_TOLERANCE = 0.5;
 static const double MASS_TOLERANCE = 0.01;
 
 double
-site_column_round_to_step(double v, double per_unit)
+round_to_step(double v, double per_unit)
 {
 	return round(v * per_unit) / per_unit + 0.0;
 }
@@ -137,7 +138,7 @@ site_column_passing_text(
 {
 	double v = c->pct[row];
 	if (SITE_UNITS[c->unit].kind == PASSING)
-		return text_number_to_tell_apart(v, other, buf);
+		return text_number_distinct_from(v, other, buf);
 	for (int digits = 1; digits <= 9; digits++) {
 		snprintf(buf, 32, "%.*f", digits, v);
 		if (fabs(strtod(buf, NULL) - other) > 0 || v == other)
@@ -166,19 +167,18 @@ is_column_in_mass(const struct column *c)
 }
 
 double
-site_column_number_in_row(const struct column *c, size_t row)
+site_column_value_in_row(const struct column *c, size_t row)
 {
 	return c->table->row[row].cell[c->at].number;
 }
 
 static bool
-check_value_in_range(struct column *c, struct cell cell, double v)
+check_value_fits_column_unit(struct column *c, struct cell cell, double v)
 {
 	struct sheet *sheet = c->table->sheet;
 	char head[64];
-	if (c->role == SD &&
-	    (v > 100 || site_column_round_to_step(v, 1e12) <= 0))
-		return sheet_fault_expected(sheet, cell,
+	if (c->role == SD && (v > 100 || round_to_step(v, 1e12) <= 0))
+		return sheet_report_expected(sheet, cell,
 		    "a standard deviation above 0, up to 100",
 		    "write it in percentage points of passing");
 	if (v >= 0 && v <= SITE_UNITS[c->unit].most * (1 + 1e-9))
@@ -188,7 +188,7 @@ check_value_in_range(struct column *c, struct cell cell, double v)
 	if (percent && c->told_percent)
 		return false;
 	c->told_percent = c->told_percent || percent;
-	return sheet_fault_expected(sheet, cell, SITE_UNITS[c->unit].wanted,
+	return sheet_report_expected(sheet, cell, SITE_UNITS[c->unit].wanted,
 	    percent ? N_("change the column heading to %s")
 		    : N_("check the number%.0s"),
 	    column_heading_in_unit(c, "", head));
@@ -203,11 +203,11 @@ read_pan_cell(struct column *c, struct cell cell, double v)
 	bool cumulative = unit->kind == CUMULATIVE;
 	c->pan = v;
 	if (unit->kind == RETAINED || unit->scale == OF_MASS)
-		return check_value_in_range(c, cell, v);
+		return check_value_fits_column_unit(c, cell, v);
 	double end = cumulative ? unit->most : 0;
 	if (fabs(v - end) <= 0.01 * unit->most)
 		return true;
-	return sheet_fault_expected(c->table->sheet, cell,
+	return sheet_report_expected(c->table->sheet, cell,
 	    cumulative ? N_("100 % above the pan")
 		       : N_("nothing passing the pan"),
 	    "leave the cell empty, or say what the column has: "
@@ -235,7 +235,8 @@ read_column_cells(struct column *c)
 					    t->sheet, cell, tr("a number"), &v);
 		if (good && t->mm[i] <= 0)
 			good = read_pan_cell(c, cell, v);
-		else if (good && (good = check_value_in_range(c, cell, v)))
+		else if (good &&
+			 (good = check_value_fits_column_unit(c, cell, v)))
 			c->pct[i] = v;
 		c->faulty = c->faulty || !good;
 	}
@@ -290,7 +291,7 @@ read_totals_below_column(const struct column *c, double sum)
 	double before = NAN, after = NAN;
 	for (size_t i = 0; i < c->table->n_foot; i++) {
 		const struct row *row = &c->table->foot[i];
-		uint64_t means = lexicon_meanings(row->cell[0].text, NULL);
+		uint64_t means = lexicon_text_meanings(row->cell[0].text, NULL);
 		const struct cell *cell = &row->cell[c->at];
 		bool percent = cell->value == AS_PERCENT;
 		double v = percent ? (double)NAN : cell->number;
@@ -342,7 +343,7 @@ add_washed_mass_to_pan(struct column *c, struct foot *foot)
 {
 	*foot = read_totals_below_column(c, sum_of_column(c));
 	if (foot->odd.text != NULL)
-		return sheet_fault(c->table->sheet, foot->odd,
+		return sheet_report_fault(c->table->sheet, foot->odd,
 		    "expected the masses before and after washing, or what was "
 		    "washed out, got %s alone\nlabel the lines 'mass before "
 		    "washing' and 'mass after washing', or write the "
@@ -361,18 +362,18 @@ check_stated_total(
 {
 	if (isnan(total) || fabs(total - sum) <= MASS_TOLERANCE * total)
 		return true;
-	return sheet_fault(c->table->sheet, where,
+	return sheet_report_fault(c->table->sheet, where,
 	    "expected %.9g g, the sum of column %s, got %s\n"
 	    "up to %g %% may be lost in sieving: were digits transposed, or a "
 	    "sieve forgotten?",
-	    site_column_round_to_step(sum, 1e6), c->head.text, where.text,
+	    round_to_step(sum, 1e6), c->head.text, where.text,
 	    100 * MASS_TOLERANCE);
 }
 
 static double
 fault_no_pan(struct column *c)
 {
-	sheet_fault(c->table->sheet, c->head,
+	sheet_report_fault(c->table->sheet, c->head,
 	    "expected the mass in the pan, got none in column %s\n"
 	    "add a last row: pan, with the mass below the finest sieve "
 	    "(0 if there was none), or a row total with the mass sieved",
@@ -405,7 +406,7 @@ total_mass_on_sieves(struct column *c)
 	if (isnan(c->pan))
 		return fmax(total, sum);
 	if (!(sum > 0)) {
-		sheet_fault(c->table->sheet, c->head,
+		sheet_report_fault(c->table->sheet, c->head,
 		    "expected a mass, got 0 g in column %s\n"
 		    "fill the column or remove it",
 		    c->head.text);
@@ -433,11 +434,11 @@ total_of_retained_shares(struct column *c)
 		return sum;
 	if (off <= SUM_TOLERANCE && (!pan || off >= -SUM_TOLERANCE))
 		return whole;
-	sheet_fault(c->table->sheet, c->head,
+	sheet_report_fault(c->table->sheet, c->head,
 	    "expected retained %s that sum to %g, got %g in column %s\n"
 	    "check the numbers, or change the column heading to %s",
 	    whole > 1 ? tr("percentages") : tr("fractions"), whole,
-	    site_column_round_to_step(sum, 1e9), c->head.text,
+	    round_to_step(sum, 1e9), c->head.text,
 	    column_heading_in_unit(c, "_cum_retained_pct", head));
 	return 0;
 }
@@ -467,7 +468,7 @@ convert_column_to_passing(struct column *c)
 			v = 100 * v / unit->most;
 		else
 			v = total > 0 ? 100 * fmax(left, 0) / total : NAN;
-		c->pct[i] = site_column_round_to_step(v, 1e12);
+		c->pct[i] = round_to_step(v, 1e12);
 	}
 }
 
@@ -482,16 +483,16 @@ check_passing_never_rises(struct column *c)
 			continue;
 		bool finer = last < t->n_row && t->mm[i] < t->mm[last];
 		if (finer && c->pct[i] > c->pct[last])
-			sheet_fault(t->sheet, t->row[i].cell[c->at],
+			sheet_report_fault(t->sheet, t->row[i].cell[c->at],
 			    "passing rises from %s to %s at %s mm (finer "
 			    "sieve, more passing)\n"
 			    "check this row and that of %s mm: passing cannot "
 			    "rise on a finer sieve",
 			    site_column_passing_text(c, last, c->pct[i], p),
 			    site_column_passing_text(c, i, c->pct[last], q),
-			    text_number_to_tell_apart(
+			    text_number_distinct_from(
 				t->mm[i], t->mm[last], mm),
-			    text_number_to_tell_apart(
+			    text_number_distinct_from(
 				t->mm[last], t->mm[i], other));
 		last = i;
 	}
@@ -499,7 +500,7 @@ check_passing_never_rises(struct column *c)
 
 /* Returns the row of the coarsest sieve that has a value, or n_row. */
 static size_t
-coarsest_row(const struct column *c)
+coarsest_row_with_value(const struct column *c)
 {
 	const struct table *t = c->table;
 	size_t i = 0;
@@ -512,15 +513,15 @@ coarsest_row(const struct column *c)
  * Returns false if the coarsest sieve passes everything, or is not the lower
  * end of such a class. */
 static bool
-take_top_of_class(struct column *c)
+set_top_size_from_class(struct column *c)
 {
 	const struct table *t = c->table;
-	size_t i = coarsest_row(c);
+	size_t i = coarsest_row_with_value(c);
 	if (i == t->n_row || !(c->pct[i] < 100) ||
 	    SITE_UNITS[c->unit].kind != RETAINED)
 		return false;
 	double upper =
-	    sieve_upper_mm_of_class(t->sheet, t->row[i].cell[0], t->unit);
+	    sieve_upper_mm_of_class_cell(t->sheet, t->row[i].cell[0], t->unit);
 	c->top = upper > t->mm[i] ? upper : 0;
 	return c->top > 0;
 }
@@ -528,9 +529,9 @@ take_top_of_class(struct column *c)
 /* Notes the coarsest sieve of a feed if it does not pass everything, because
  * the size of the largest grains must be known. */
 static void
-find_row_of_feed_below_100(struct column *c)
+record_feed_top_below_100(struct column *c)
 {
-	size_t i = coarsest_row(c);
+	size_t i = coarsest_row_with_value(c);
 	c->below = i < c->table->n_row && c->pct[i] < 100 ? i + 1 : 0;
 }
 
@@ -548,13 +549,13 @@ site_column_read_values(struct column *c)
 		check_passing_never_rises(c);
 	}
 	bool whole = c->role != SD && !c->faulty && !t->lost;
-	if (whole && !take_top_of_class(c) && c->role == FEED)
-		find_row_of_feed_below_100(c);
+	if (whole && !set_top_size_from_class(c) && c->role == FEED)
+		record_feed_top_below_100(c);
 	size_t least = c->role == FEED ? 2 : 1;
 	if (c->role == SD || c->twin > 0 || c->faulty || t->lost ||
 	    site_column_count_values(c) >= least)
 		return;
-	sheet_fault(t->sheet, c->head,
+	sheet_report_fault(t->sheet, c->head,
 	    "expected %zu or more sieves, got %zu in column %s\n"
 	    "fill the column or remove it",
 	    least, site_column_count_values(c), c->head.text);

@@ -80,7 +80,7 @@ void site_column_read_values(struct column *c);
 
 /* Returns the number of columns with that role in a table, or in all if t is
  * NULL. */
-size_t site_column_count_role(
+size_t site_column_count_by_role(
     const struct columns *all, const struct table *t, enum role role);
 
 /* Returns the number of columns with that role and speed. */
@@ -109,7 +109,7 @@ struct column *site_column_find(
 size_t site_column_count_values(const struct column *c);
 
 /* Returns the number in a row of the table as the sheet has it, or NAN. */
-double site_column_number_in_row(const struct column *c, size_t row);
+double site_column_value_in_row(const struct column *c, size_t row);
 
 /* Returns the passing of a row, %, with the digits of the sheet; or, if it was
  * computed, with enough digits to differ from `other`. */
@@ -117,6 +117,6 @@ const char *site_column_passing_text(
     const struct column *c, size_t row, double other, char buf[static 32]);
 
 /* Returns v rounded to a multiple of 1 / per_unit, but never -0. */
-double site_column_round_to_step(double v, double per_unit);
+double round_to_step(double v, double per_unit);
 
 #endif

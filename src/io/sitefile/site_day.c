@@ -21,7 +21,7 @@ is_date(const char *text, struct datetime *m)
 /* Returns the only word of a heading that is a date, as in "Cut 2026-05-03, 72
  * m/s"; NULL if there is none, or several.  The caller frees it. */
 static char *
-date_among_words(const char *heading)
+only_date_in_heading(const char *heading)
 {
 	struct datetime m;
 	FREED char *copy = xstrdup(heading);
@@ -42,7 +42,7 @@ date_among_words(const char *heading)
  * 25/3/2026 is kept as it is, because it shows how to read 5/3/2026 beside
  * it. */
 static char *
-date_to_keep(const char *text)
+format_date_for_site(const char *text)
 {
 	struct datetime m;
 	is_date(text, &m);
@@ -60,7 +60,7 @@ date_to_keep(const char *text)
  * lines, where an empty cell below a day may mean the same day, or have been
  * forgotten. */
 static const char *
-heading_text(const struct table *t, size_t r, size_t c)
+heading_text_at_or_left_of_cell(const struct table *t, size_t r, size_t c)
 {
 	const struct cell *cell = t->head[r].cell;
 	while (!t->across && c > 1 && cell[c].text[0] == '\0')
@@ -72,15 +72,16 @@ heading_text(const struct table *t, size_t r, size_t c)
  * if the row's label says that it is the day of sampling, else into *other.  If
  * two days differ, "" is kept. */
 static void
-take_day(char **stated, char **other, const struct row *row, const char *text)
+parse_day_in_cell(
+    char **stated, char **other, const struct row *row, const char *text)
 {
 	struct datetime m;
 	bool whole = is_date(text, &m);
-	FREED char *word = whole ? xstrdup(text) : date_among_words(text);
+	FREED char *word = whole ? xstrdup(text) : only_date_in_heading(text);
 	enum lexicon_day label = lexicon_day_kind_of_label(row->cell[0].text);
 	if (word == NULL || (whole && label == DAY_OTHER))
 		return;
-	char *day = date_to_keep(word);
+	char *day = format_date_for_site(word);
 	char **slot = whole && label == DAY_SAMPLED ? stated : other;
 	if (*slot != NULL && strcmp(*slot, day) != 0)
 		day[0] = '\0';
@@ -94,12 +95,13 @@ site_day_of_sample(const struct table *t, size_t c)
 	char *stated = NULL, *other = NULL;
 	struct datetime m;
 	if (t->day != NULL && t->day[c] != NULL && is_date(t->day[c], &m))
-		return date_to_keep(t->day[c]);
+		return format_date_for_site(t->day[c]);
 	for (size_t r = 0; r < t->n_head; r++)
-		take_day(&stated, &other, &t->head[r], heading_text(t, r, c));
+		parse_day_in_cell(&stated, &other, &t->head[r],
+		    heading_text_at_or_left_of_cell(t, r, c));
 	for (size_t r = 0; r < t->n_foot; r++)
-		if (lexicon_is_label_of_day(t->foot[r].cell[0].text))
-			take_day(&stated, &other, &t->foot[r],
+		if (lexicon_is_date_label(t->foot[r].cell[0].text))
+			parse_day_in_cell(&stated, &other, &t->foot[r],
 			    t->foot[r].cell[c].text);
 	FREED char *first = stated != NULL ? stated : other;
 	if (stated != NULL)
@@ -108,14 +110,14 @@ site_day_of_sample(const struct table *t, size_t c)
 }
 
 const char *
-site_day_unreadable(const struct table *t, size_t c)
+site_find_unreadable_day(const struct table *t, size_t c)
 {
 	struct datetime m;
 	for (size_t r = 0; r < t->n_head + t->n_foot; r++) {
 		const struct row *row =
 		    r < t->n_head ? &t->head[r] : &t->foot[r - t->n_head];
 		const char *text = row->cell[c].text;
-		if (lexicon_is_label_of_day(row->cell[0].text) &&
+		if (lexicon_is_date_label(row->cell[0].text) &&
 		    strpbrk(text, "0123456789") != NULL && !is_date(text, &m))
 			return text;
 	}
@@ -144,7 +146,7 @@ site_day_column(const struct table *t)
 	enum lexicon_day best = DAY_OTHER;
 	size_t found = 0;
 	for (size_t c = 1; c < t->n_col; c++) {
-		FREED char *label = layout_heading_text(t, c);
+		FREED char *label = layout_column_heading_text(t, c);
 		enum lexicon_day own = lexicon_day_kind_of_label(label);
 		if (own < best || own == DAY_OTHER || !is_column_of_dates(t, c))
 			continue;

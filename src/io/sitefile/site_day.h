@@ -13,7 +13,7 @@ char *site_day_of_sample(const struct table *t, size_t c);
 
 /* Returns the cell of column c in a row of days if it cannot be read as a day,
  * such as "17/11/26"; else NULL. */
-const char *site_day_unreadable(const struct table *t, size_t c);
+const char *site_find_unreadable_day(const struct table *t, size_t c);
 
 /* Returns the column of a long table that has the day of each row's sample, or
  * 0. */

@@ -40,7 +40,7 @@ is_in_tipspeed_format(const struct table *t)
 
 /* Appends "product@69" or, after another product, only "@79". */
 static void
-append_role_text(
+append_role_and_speed_text(
     char **text, const struct column *c, const struct column *before)
 {
 	FREED char *words = classify_describe_column(c);
@@ -86,7 +86,7 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		}
 		if (c == NULL)
 			break;
-		append_role_text(&roles, c, before);
+		append_role_and_speed_text(&roles, c, before);
 		append_number_unless_repeated(number, &n, t->number[c->at]);
 		before = c;
 	}
@@ -106,7 +106,7 @@ has_sieves_in_same_place(const struct table *a, const struct table *b)
 /* Returns the name of a table's file or, if all are in one file, of its sheet;
  * "" if all are on one sheet. */
 static const char *
-file_or_sheet_of_table(struct table *const *table, size_t n, size_t k)
+file_or_sheet_name_of_table(struct table *const *table, size_t n, size_t k)
 {
 	const struct sheet *own = table[k]->sheet;
 	for (size_t i = 0; i < n; i++)
@@ -124,7 +124,7 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	char *text = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k];
-		const char *place = file_or_sheet_of_table(table, n, k);
+		const char *place = file_or_sheet_name_of_table(table, n, k);
 		FREED char *own = xstrdup("");
 		if (k == 0 || !has_sieves_in_same_place(table[k - 1], t))
 			xappend_to_list(&own, "; ",
@@ -151,7 +151,7 @@ has_assumption_note(const struct column *c, const char *note)
 /* Appends a note of column i with all columns that have it, unless an earlier
  * column has it, so that it has been appended already. */
 static void
-append_note_once(
+append_assumption_once(
     const struct columns *all, size_t i, const char *note, char **text)
 {
 	FREED size_t *number = xcalloc(all->n + 1, sizeof *number);
@@ -196,6 +196,6 @@ site_describe_columns(struct table *const *table, size_t n_table,
 		FREED char *notes = xstrdup(assumed != NULL ? assumed : "");
 		char *rest = notes;
 		for (char *note; (note = strtok_r(rest, "\n", &rest));)
-			append_note_once(all, i, note, &site->assumed);
+			append_assumption_once(all, i, note, &site->assumed);
 	}
 }

@@ -23,7 +23,7 @@ static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
 
 static void
-site_heading_set_value(struct site *site, enum lexicon_key key,
+site_heading_set_site_field(struct site *site, enum lexicon_key key,
     struct sheet *sheet, struct cell cell)
 {
 	char **text[] = {
@@ -35,14 +35,15 @@ site_heading_set_value(struct site *site, enum lexicon_key key,
 	}
 	double mm = site_sieve_read_mm(sheet, cell, 1, "a positive size in mm");
 	if (mm <= 0)
-		sheet_fault_expected(sheet, cell, "a positive size in mm",
+		sheet_report_expected(sheet, cell, "a positive size in mm",
 		    "write the size, or remove the line");
 	site->top_size = mm / 1000;
 }
 
 /* Reads the first number of a text, such as 900 in "900 mm". */
 static bool
-read_first_number(const struct sheet *sheet, struct cell cell, double *value)
+read_first_number_of_cell(
+    const struct sheet *sheet, struct cell cell, double *value)
 {
 	char copy[40];
 	size_t n = strspn(cell.text, "0123456789.,' ");
@@ -53,26 +54,26 @@ read_first_number(const struct sheet *sheet, struct cell cell, double *value)
 	memcpy(copy, cell.text, n);
 	copy[n] = '\0';
 	return number_value_of_cell(
-	    number_cell_with_text(sheet, cell, copy), value);
+	    number_reparse_cell_with_text(sheet, cell, copy), value);
 }
 
 /* Takes the rotor's diameter if a key and value state it.  A number below 10 is
  * in m. */
 static bool
-site_heading_take_rotor(struct site *site, const struct sheet *sheet,
+site_heading_parse_rotor(struct site *site, const struct sheet *sheet,
     struct cell key, struct cell value)
 {
-	uint64_t means = lexicon_meanings(key.text, NULL);
+	uint64_t means = lexicon_text_meanings(key.text, NULL);
 	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0) {
 		double said = rotor_diameter_mm_in_text(value.text, true);
 		site->rotor = said > 0 ? said / 1000 : site->rotor;
 		return said > 0;
 	}
-	means |= lexicon_meanings(value.text, NULL);
+	means |= lexicon_text_meanings(value.text, NULL);
 	double number;
 	if ((means & WORD_ROTOR) == 0 ||
 	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
-	    !read_first_number(sheet, value, &number))
+	    !read_first_number_of_cell(sheet, value, &number))
 		return false;
 	double mm = number * (number < 10 ? 1000 : 1);
 	if ((means & WORD_INCH) != 0)
@@ -88,7 +89,7 @@ site_heading_take_rotor(struct site *site, const struct sheet *sheet,
 /* Takes a speed in m/s or rpm (0: not stated).  If another one was taken
  * before, sets speed->differ. */
 static void
-note_speed(struct heading_speed *speed, double mps, double rpm)
+record_heading_speed(struct heading_speed *speed, double mps, double rpm)
 {
 	speed->differ =
 	    speed->differ ||
@@ -101,7 +102,7 @@ note_speed(struct heading_speed *speed, double mps, double rpm)
 /* Takes a speed from "tip speed; 70 m/s" or "varvtal; 1350", but not the
  * highest that a machine has.  Returns false if there is none. */
 static bool
-site_heading_take_speed(const struct sheet *sheet, struct cell key,
+site_heading_parse_speed(const struct sheet *sheet, struct cell key,
     struct cell value, struct heading_speed *speed)
 {
 	struct head k = heading_parse(key.text), v = heading_parse(value.text);
@@ -113,15 +114,16 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 	if (!about || (v.several && v.unit != SPEED_NO_UNIT))
 		return false;
 	if (heading_has_speed(&v)) {
-		note_speed(speed, v.speed, v.rpm);
+		record_heading_speed(speed, v.speed, v.rpm);
 		return true;
 	}
-	if (!read_first_number(sheet, value, &number) || number <= 0)
+	if (!read_first_number_of_cell(sheet, value, &number) || number <= 0)
 		return false;
 	if (unit == SPEED_RPM)
-		note_speed(speed, 0, number);
+		record_heading_speed(speed, 0, number);
 	else if (unit != SPEED_NO_UNIT || number < 150)
-		note_speed(speed, speed_in_unit_to_mps(number, unit, 0), 0);
+		record_heading_speed(
+		    speed, speed_in_unit_to_mps(number, unit, 0), 0);
 	else
 		return false;
 	return true;
@@ -130,7 +132,7 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 /* Splits a cell such as "Speed: 70 m/s" into key and value, whose texts are in
  * *copy, which the caller frees.  Returns false if there is no value. */
 static bool
-split_key_at_colon(struct cell *key, struct cell *value, char **copy)
+split_cell_at_colon(struct cell *key, struct cell *value, char **copy)
 {
 	*copy = xstrdup(key->text);
 	char *colon = strchr(*copy, ':');
@@ -146,7 +148,7 @@ split_key_at_colon(struct cell *key, struct cell *value, char **copy)
 
 /* True if a cell has both a key and its value, "Stone: gabbro". */
 static bool
-has_key_with_colon(struct cell cell)
+is_key_colon_value_cell(struct cell cell)
 {
 	const char *colon = strchr(cell.text, ':');
 	return colon != NULL && colon > cell.text && colon[1] == ' ' &&
@@ -170,8 +172,8 @@ next_key_and_value(const struct row *row, size_t *at, struct cell *key,
 	for (; i < row->n && (row->cell[i].text[0] != '\0' || n == 1); i++) {
 		if (row->cell[i].text[0] == '\0')
 			continue;
-		if (n == 1 && has_key_with_colon(*key) &&
-		    has_key_with_colon(row->cell[i]))
+		if (n == 1 && is_key_colon_value_cell(*key) &&
+		    is_key_colon_value_cell(row->cell[i]))
 			break;
 		struct cell *slot[] = {key, value, third};
 		if (n < 3)
@@ -179,7 +181,7 @@ next_key_and_value(const struct row *row, size_t *at, struct cell *key,
 		n++;
 	}
 	*at = i;
-	return n == 1 && split_key_at_colon(key, value, copy) ? 2 : n;
+	return n == 1 && split_cell_at_colon(key, value, copy) ? 2 : n;
 }
 
 bool
@@ -190,8 +192,8 @@ site_heading_speed_of_line(const struct sheet *sheet, const struct row *row,
 	FREED char *copy = NULL;
 	size_t at = 0,
 	       n = next_key_and_value(row, &at, &key, &value, &third, &copy);
-	return n > 1 && lexicon_key_from_text(key.text) == N_KEY &&
-	       site_heading_take_speed(sheet, key, value, speed);
+	return n > 1 && lexicon_site_key_of_text(key.text) == N_KEY &&
+	       site_heading_parse_speed(sheet, key, value, speed);
 }
 
 char *
@@ -205,7 +207,7 @@ site_heading_date_of_line(const struct row *row)
 		if (n == 0)
 			break;
 		double seconds =
-		    n > 1 && lexicon_is_label_of_day(key.text) &&
+		    n > 1 && lexicon_is_date_label(key.text) &&
 			    datetime_parse(value.text, &m) && m.has_date
 			? datetime_seconds_since_1970(&m, DATETIME_OPEN)
 			: (double)NAN;
@@ -220,7 +222,7 @@ site_heading_date_of_line(const struct row *row)
 
 /* True for "rock Granite", in which the separator is missing. */
 static bool
-begins_with_key(const char *text)
+begins_with_site_key(const char *text)
 {
 	for (size_t k = 0; k < N_KEY; k++)
 		if (strncasecmp(text, NAMES[k], strlen(NAMES[k])) == 0)
@@ -231,11 +233,11 @@ begins_with_key(const char *text)
 /* Notes that a line of numbers above the table, which heads nothing, is not
  * read. */
 static void
-leave_out_line(struct site *site, const struct cell *key)
+note_numbers_above_table(struct site *site, const struct cell *key)
 {
 	FREED char *where = xasprintf(tr("line %d"), key->line);
 	FREED char *what = xasprintf(tr("%.*s: numbers above the table"),
-	    sheet_bytes_to_show(key->text), key->text);
+	    sheet_truncated_text_length(key->text), key->text);
 	site_notes_append(&site->left_out, &site->n_left_out, where, what);
 }
 
@@ -245,20 +247,20 @@ static void
 set_site_value_of_key(struct site *site, enum lexicon_key k,
     struct sheet *sheet, struct cell key, struct cell value)
 {
-	site_heading_set_value(site, k, sheet, value);
+	site_heading_set_site_field(site, k, sheet, value);
 	if (k == KEY_MACHINE && !(site->rotor > 0))
-		site_heading_take_rotor(site, sheet, key, value);
+		site_heading_parse_rotor(site, sheet, key, value);
 }
 
 static void
 report_key_without_value(struct sheet *sheet, struct cell key)
 {
 	if (sheet->separator == '\t') /* a workbook has no separator */
-		sheet_fault_expected(sheet, key, "a key and a value",
+		sheet_report_expected(sheet, key, "a key and a value",
 		    "write the value in the next cell, or begin a remark "
 		    "with #");
 	else
-		sheet_fault_expected(sheet, key, "a key and a value",
+		sheet_report_expected(sheet, key, "a key and a value",
 		    "write key%cvalue, or begin a remark with #",
 		    sheet->separator);
 }
@@ -266,7 +268,7 @@ report_key_without_value(struct sheet *sheet, struct cell key)
 /* Reads the next key and value of a line, or a key alone.  seen: the line of
  * each key read so far, or 0.  Returns false at the end of the line. */
 static bool
-set_next_key_of_line(struct site *site, struct sheet *sheet,
+set_site_field_from_next_key(struct site *site, struct sheet *sheet,
     const struct row *row, size_t *at, int seen[static N_KEY],
     struct heading_speed *speed)
 {
@@ -278,17 +280,17 @@ set_next_key_of_line(struct site *site, struct sheet *sheet,
 	size_t colon = strlen(key.text);
 	FREED char *bare = xstrndup(key.text,
 	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
-	enum lexicon_key k = lexicon_key_from_text(bare);
-	if (n == 1 && k == N_KEY && begins_with_key(key.text)) {
+	enum lexicon_key k = lexicon_site_key_of_text(bare);
+	if (n == 1 && k == N_KEY && begins_with_site_key(key.text)) {
 		report_key_without_value(sheet, key);
 	} else if (n > 2 && k < N_KEY) {
-		sheet_fault_expected(sheet, third,
+		sheet_report_expected(sheet, third,
 		    "the end of the line after key and value",
 		    "quote a value that contains the separator, or begin a "
 		    "remark with #; with decimal commas, separate the cells "
 		    "with ;");
 	} else if (k < N_KEY && seen[k] > 0) {
-		sheet_fault(sheet, key,
+		sheet_report_fault(sheet, key,
 		    "duplicate key: %s is already in line %d\n"
 		    "remove one of the two lines",
 		    key.text, seen[k]);
@@ -297,11 +299,11 @@ set_next_key_of_line(struct site *site, struct sheet *sheet,
 	} else {
 		bool taken =
 		    n > 1 &&
-		    (site_heading_take_rotor(site, sheet, key, value) ||
-			site_heading_take_speed(sheet, key, value, speed));
+		    (site_heading_parse_rotor(site, sheet, key, value) ||
+			site_heading_parse_speed(sheet, key, value, speed));
 		double number;
 		if (n > 2 && number_value_of_cell(third, &number))
-			leave_out_line(site, &key);
+			note_numbers_above_table(site, &key);
 		else if (!(taken && site->rotor > 0 &&
 			     strcmp(key.text, "rotor_mm") == 0))
 			site_notes_append(&site->note, &site->n_note, key.text,
@@ -326,8 +328,8 @@ site_heading_read(const struct layout *layout, struct sheet *sheet,
 			}
 	for (size_t i = 0; i < layout->n_heading; i++)
 		if (layout->heading[i]->line < first)
-			for (size_t at = 0; set_next_key_of_line(site, sheet,
-				 layout->heading[i], &at, seen, speed);)
+			for (size_t at = 0; set_site_field_from_next_key(site,
+				 sheet, layout->heading[i], &at, seen, speed);)
 				;
 }
 

@@ -61,29 +61,30 @@ first_sheet(const struct reading *r)
 
 /* Reports that there is no table.  Without one, nothing else can be checked. */
 static void
-fault_no_table(struct sheet *sheet)
+report_missing_table(struct sheet *sheet)
 {
 	struct row none = {.line = 1, .end = 1};
 	struct cell found =
 	    sheet->n_row > 0 ? sheet->row[0].cell[0] : row_cell_at(&none, 0);
 	for (size_t i = sheet->n_row;
-	     i-- > 0 && !error_should_stop(sheet->errors);) {
+	     i-- > 0 && !error_is_stop_requested(sheet->errors);) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
 		if (number_value_of_cell(cell, &v) ||
-		    (lexicon_meanings(cell.text, NULL) & WORD_SIZE) != 0)
+		    (lexicon_text_meanings(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
 	char c = sheet->separator == ';' ? ';' : ',';
-	bool heads = (lexicon_meanings(found.text, NULL) & WORD_SIZE) != 0 &&
-		     found.line == sheet->row[sheet->n_row - 1].line;
+	bool heads =
+	    (lexicon_text_meanings(found.text, NULL) & WORD_SIZE) != 0 &&
+	    found.line == sheet->row[sheet->n_row - 1].line;
 	if (heads) {
-		sheet_fault_expected(sheet, found,
+		sheet_report_expected(sheet, found,
 		    "a row for each sieve below this line",
 		    "add rows such as 22.4%c100%c100%c100", c, c, c);
 		return;
 	}
-	sheet_fault_expected(sheet, found, "a table of sieves",
+	sheet_report_expected(sheet, found, "a table of sieves",
 	    "begin it with a line of headings, "
 	    "size_mm%cfeed%cproduct@69%cproduct@79, then one line for each "
 	    "sieve; or see: template",
@@ -101,7 +102,7 @@ check_feeds_match_repeats(const struct columns *t, const struct column *c)
 	size_t products = site_column_count_at_speed(t, PRODUCT, c->speed);
 	if (c->role == PRODUCT || c->nth != 1 || own == products)
 		return;
-	sheet_fault(c->table->sheet, c->head,
+	sheet_report_fault(c->table->sheet, c->head,
 	    products > 1
 		? N_("duplicate column: expected one %s@%g or one for each "
 		     "product, got %zu\nkeep one for all products at this "
@@ -115,8 +116,8 @@ check_feeds_match_repeats(const struct columns *t, const struct column *c)
 /* Checks that a product has a feed, and a standard deviation a product; and
  * that there is not one feed too many. */
 static void
-check_feed_or_product_exists(const struct columns *t, const struct column *c,
-    const struct site_request *request)
+check_column_has_feed_or_product(const struct columns *t,
+    const struct column *c, const struct site_request *request)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	bool alone = site_column_count_at_speed(t, PRODUCT, c->speed) == 0;
@@ -124,19 +125,19 @@ check_feed_or_product_exists(const struct columns *t, const struct column *c,
 	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
 		site_ask_refuse_second_feed(c, t, request);
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
-		sheet_fault(c->table->sheet, c->head,
+		sheet_report_fault(c->table->sheet, c->head,
 		    "expected one kind of feed, got feed and %s\n"
 		    "use one feed for all runs, or feed@SPEED for each run",
 		    c->head.text);
 	if (c->role == SD && alone)
-		sheet_fault(c->table->sheet, c->head,
+		sheet_report_fault(c->table->sheet, c->head,
 		    "expected a product for %s, got none\n"
 		    "add its product column, or remove this one",
 		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL &&
-	    site_column_count_role(t, NULL, FEED) > 0 &&
+	    site_column_count_by_role(t, NULL, FEED) > 0 &&
 	    site_column_count_at_speed(t, FEED, c->speed) == 0)
-		sheet_fault(c->table->sheet, c->head,
+		sheet_report_fault(c->table->sheet, c->head,
 		    "expected a feed for %s, got none\n"
 		    "add a feed@ column with this speed",
 		    c->head.text);
@@ -158,7 +159,7 @@ check_sd_beside_values(const struct columns *all, const struct column *product)
 		bool has = a.text[0] != '\0', has_sd = b.text[0] != '\0';
 		if (has == has_sd || !(t->mm[i] > 0))
 			continue;
-		sheet_fault_expected(t->sheet, b,
+		sheet_report_expected(t->sheet, b,
 		    has ? N_("a standard deviation")
 			: N_("no standard deviation without a product"),
 		    "%s",
@@ -171,7 +172,7 @@ check_sd_beside_values(const struct columns *all, const struct column *product)
 /* Checks that two quantities of the same sample agree, but for rounding and
  * losses in sieving. */
 static void
-check_quantities_agree(const struct columns *all, const struct column *twin)
+check_sample_columns_agree(const struct columns *all, const struct column *twin)
 {
 	const double far = 1.5;
 	const struct table *t = twin->table;
@@ -183,14 +184,14 @@ check_quantities_agree(const struct columns *all, const struct column *twin)
 		for (size_t i = 0; i < t->n_row; i++) {
 			if (!(fabs(c->pct[i] - twin->pct[i]) > far))
 				continue;
-			sheet_fault(t->sheet, t->row[i].cell[twin->at],
+			sheet_report_fault(t->sheet, t->row[i].cell[twin->at],
 			    "expected the same sample as column %zu, got %s %% "
 			    "passing and %s %%\nsay which to read: load FILE "
 			    "columns=\"1=sieve mm, 2=feed, ..\"",
 			    twin->twin,
-			    text_number_to_tell_apart(
+			    text_number_distinct_from(
 				c->pct[i], twin->pct[i], one),
-			    text_number_to_tell_apart(
+			    text_number_distinct_from(
 				twin->pct[i], c->pct[i], other));
 			return;
 		}
@@ -207,24 +208,25 @@ cell_where_numbers_begin(const struct table *t)
 
 /* Reports a missing feed, product or number. */
 static void
-report_missing_roles(struct reading *r)
+report_missing_columns(struct reading *r)
 {
 	bool parts = r->request->parts;
 	if (r->all.n == 0)
-		sheet_fault(r->table[0]->sheet,
+		sheet_report_fault(r->table[0]->sheet,
 		    cell_where_numbers_begin(r->table[0]),
 		    "expected numbers below the headings, got none\nfill in "
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
-	else if (site_column_count_role(&r->all, NULL, FEED) == 0 && !parts)
-		sheet_fault(r->table[0]->sheet,
+	else if (site_column_count_by_role(&r->all, NULL, FEED) == 0 && !parts)
+		sheet_report_fault(r->table[0]->sheet,
 		    site_sieve_heading_cell(r->table[0]),
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
 		    "feed.csv %s@SPEED",
 		    r->request->path[0]);
-	else if (site_column_count_role(&r->all, NULL, PRODUCT) == 0 && parts)
-		sheet_fault(r->table[0]->sheet,
+	else if (site_column_count_by_role(&r->all, NULL, PRODUCT) == 0 &&
+		 parts)
+		sheet_report_fault(r->table[0]->sheet,
 		    site_sieve_heading_cell(r->table[0]),
 		    "expected a product, got a feed only\n"
 		    "add takes samples of product; load this file as a site");
@@ -250,15 +252,15 @@ feed_with_unknown_top_size(const struct columns *all)
  * what the user gave; or the next sieve up, if almost nothing is coarser.
  * Otherwise asks for it. */
 static void
-assume_top_size(struct reading *r, struct site_ask *ask)
+set_or_ask_top_size(struct reading *r, struct site_ask *ask)
 {
 	const struct column *c = feed_with_unknown_top_size(&r->all);
-	double top = site_column_round_to_step(r->request->top, 1e9);
+	double top = round_to_step(r->request->top, 1e9);
 	char p[32], mm[32];
 	if (c == NULL)
 		return;
 	if (!(top > 0))
-		top = site_ask_size_above_feed(c);
+		top = site_ask_find_known_top_size(c);
 	if (!(top > 0)) {
 		site_ask_top_size(c, r->request, ask);
 		return;
@@ -266,7 +268,7 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 	const struct table *t = c->table;
 	size_t at = c->below - 1;
 	if (top <= t->mm[at]) {
-		sheet_fault(t->sheet, t->row[at].cell[0],
+		sheet_report_fault(t->sheet, t->row[at].cell[0],
 		    "expected top= above the coarsest sieve, %g mm, got "
 		    "%g\nname a size that all of it passes, such as the next: "
 		    "top=%g",
@@ -286,25 +288,27 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 }
 
 static void
-read_and_check_columns(struct reading *r)
+read_and_check_sheet_columns(struct reading *r)
 {
 	struct columns *all = &r->all;
-	for (size_t i = 0; i < all->n && !error_should_stop(r->errors); i++) {
+	for (size_t i = 0; i < all->n && !error_is_stop_requested(r->errors);
+	     i++) {
 		struct column *c = &all->column[i];
 		site_column_read_values(c);
 		r->lost = r->lost || c->table->lost;
 	}
-	for (size_t i = 0; i < all->n && !error_should_stop(r->errors); i++) {
+	for (size_t i = 0; i < all->n && !error_is_stop_requested(r->errors);
+	     i++) {
 		if (all->column[i].twin > 0)
-			check_quantities_agree(all, &all->column[i]);
+			check_sample_columns_agree(all, &all->column[i]);
 		if (all->column[i].role == PRODUCT)
 			check_sd_beside_values(all, &all->column[i]);
 		if (!r->lost)
-			check_feed_or_product_exists(
+			check_column_has_feed_or_product(
 			    all, &all->column[i], r->request);
 	}
 	if (!r->lost)
-		report_missing_roles(r);
+		report_missing_columns(r);
 }
 
 static struct psd
@@ -362,7 +366,7 @@ compare_runs_by_speed(const void *a, const void *b)
  * sample of their own, and drops it from the notes.  Their columns have the
  * mean feed, for readers that do not know the line. */
 static void
-take_runs_lacking_feed(struct site *site)
+parse_note_of_feedless_runs(struct site *site)
 {
 	const struct site_note *note = site->note;
 	size_t i = 0;
@@ -408,7 +412,7 @@ make_runs_of_site(struct site *site, const struct columns *t)
 		set_curves_of_run_from_sheet(
 		    t, shared, &site->run[r], r - first);
 	}
-	take_runs_lacking_feed(site);
+	parse_note_of_feedless_runs(site);
 	site_update_digest_and_mean_feed(site);
 }
 
@@ -425,7 +429,7 @@ leave_out(struct site *site, int line, const char *format, ...)
 
 /* Notes the sieves without numbers as left out. */
 static void
-note_left_out_rows(struct reading *r, const struct table *t)
+note_sieves_without_numbers(struct reading *r, const struct table *t)
 {
 	for (size_t i = 0; i < t->n_row; i++) {
 		bool values = !(t->mm[i] > 0);
@@ -456,7 +460,7 @@ note_left_out_cells(struct reading *r)
 			if (more++ < 3)
 				xappend_to_list(&list, ", ",
 				    tr("'%.*s' in line %d"),
-				    sheet_bytes_to_show(text), text,
+				    sheet_truncated_text_length(text), text,
 				    c->table->row[i].line);
 		}
 	}
@@ -480,7 +484,8 @@ note_left_out_sums(struct reading *r, const struct page *page)
 		for (size_t i = 0; i < page->layout->table[b].n_foot; i++) {
 			const struct row *row = &page->layout->table[b].foot[i];
 			const char *text = row->cell[0].text;
-			if ((lexicon_meanings(text, NULL) & WORD_TOTAL) != 0)
+			if ((lexicon_text_meanings(text, NULL) & WORD_TOTAL) !=
+			    0)
 				leave_out(r->site, row->line,
 				    "%s: sums are checked for grams only",
 				    text);
@@ -489,7 +494,7 @@ note_left_out_sums(struct reading *r, const struct page *page)
 
 /* True if a remark states the rotor diameter that is already known. */
 static bool
-repeats_known_rotor(const struct site *site, const char *text)
+does_remark_repeat_known_rotor(const struct site *site, const char *text)
 {
 	double mm = rotor_diameter_mm_in_text(text, false);
 	return mm > 0 && fabs(mm - 1000 * site->rotor) < 0.5;
@@ -513,7 +518,7 @@ samples_of_table_text(const struct columns *all, const struct table *t)
 
 /* Returns the filled cells of a line as one text: "Date 2026-11-12". */
 static char *
-words_of_line(const struct row *row)
+join_cells_of_line(const struct row *row)
 {
 	char *words = xstrdup("");
 	for (size_t c = 0; c < row->n; c++)
@@ -525,11 +530,11 @@ words_of_line(const struct row *row)
 /* Appends the words of the nth of several lines; only the first few are
  * shown. */
 static void
-add_words_of_line(char **list, const struct row *row, size_t n)
+append_line_to_short_list(char **list, const struct row *row, size_t n)
 {
 	enum { FEW = 4 };
-	FREED char *words = words_of_line(row);
-	int shown = sheet_bytes_to_show(words);
+	FREED char *words = join_cells_of_line(row);
+	int shown = sheet_truncated_text_length(words);
 	if (n < FEW)
 		xappend_to_list(list, ", ", "%.*s%s", shown, words,
 		    words[shown] != '\0' ? "..." : "");
@@ -558,11 +563,13 @@ is_line_already_read(
     const struct reading *r, const struct layout *layout, size_t i)
 {
 	const struct row *row = layout->heading[i];
-	FREED char *words = words_of_line(row);
-	bool cut = r->request->parts && title_table_below(layout, row) != NULL;
+	FREED char *words = join_cells_of_line(row);
+	bool cut = r->request->parts &&
+		   title_find_table_below_line(layout, row) != NULL;
 	FREED char *day = cut ? site_heading_date_of_line(row) : NULL;
 	return day != NULL || row->line <= layout->table[0].row[0].line ||
-	       repeats_known_rotor(r->site, words) || layout->read[i];
+	       does_remark_repeat_known_rotor(r->site, words) ||
+	       layout->read[i];
 }
 
 /* Notes lines that were not read, from the ith on, together with the table
@@ -571,14 +578,15 @@ static size_t
 note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 {
 	const struct row *first = layout->heading[i];
-	const struct table *below = title_table_below(layout, first);
+	const struct table *below = title_find_table_below_line(layout, first);
 	const struct table *above = last_table_above_row(layout, first);
 	FREED char *words = xstrdup("");
 	size_t n = 0;
 	do
-		add_words_of_line(&words, layout->heading[i + n], n);
+		append_line_to_short_list(&words, layout->heading[i + n], n);
 	while (++n + i < layout->n_heading &&
-	       title_table_below(layout, layout->heading[i + n]) == below &&
+	       title_find_table_below_line(layout, layout->heading[i + n]) ==
+		   below &&
 	       last_table_above_row(layout, layout->heading[i + n]) == above &&
 	       !is_line_already_read(r, layout, i + n));
 	FREED char *samples =
@@ -607,7 +615,7 @@ note_lines_outside_tables(struct reading *r, const struct page *page)
 
 /* True if a comment is only a rule, "-----". */
 static bool
-is_rule(const struct comment *c)
+is_line_of_dashes(const struct comment *c)
 {
 	return c->text[strspn(c->text, "#-=_+:| \t")] == '\0';
 }
@@ -615,7 +623,7 @@ is_rule(const struct comment *c)
 /* Notes what is in the tables or below them and was not read.  A comment may be
  * a sieve that the user has excluded with #. */
 static void
-note_all_left_out(struct reading *r)
+note_all_unread_lines(struct reading *r)
 {
 	for (size_t p = 0; p < r->n_page; p++) {
 		const struct page *page = &r->page[p];
@@ -625,9 +633,9 @@ note_all_left_out(struct reading *r)
 		int head = first->n_head > 0 ? first->row[0].line - 1 : 0;
 		for (size_t i = 0; i < page->sheet->n_comment; i++) {
 			const struct comment *c = &page->sheet->comment[i];
-			if (c->line <= head || is_rule(c))
+			if (c->line <= head || is_line_of_dashes(c))
 				continue;
-			int shown = sheet_bytes_to_show(c->text);
+			int shown = sheet_truncated_text_length(c->text);
 			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
@@ -636,17 +644,18 @@ note_all_left_out(struct reading *r)
 		if (beside->text != NULL)
 			leave_out(r->site, beside->line,
 			    "beside the table: %.*s",
-			    sheet_bytes_to_show(beside->text), beside->text);
+			    sheet_truncated_text_length(beside->text),
+			    beside->text);
 	}
 	for (size_t i = 0; i < r->n_table; i++)
-		note_left_out_rows(r, r->table[i]);
+		note_sieves_without_numbers(r, r->table[i]);
 	note_left_out_cells(r);
 }
 
 /* Lists the sieves that have names in site->named: "#4 = 4.75, No. 8 = 2.36".
  * Tables with the same sieves list them once. */
 static void
-note_sieve_names(struct reading *r)
+note_mm_of_named_sieves(struct reading *r)
 {
 	FREED char *before = xstrdup("");
 	for (size_t k = 0; k < r->n_table; k++) {
@@ -657,7 +666,7 @@ note_sieve_names(struct reading *r)
 			double v;
 			bool bare = number_value_of_cell(t->row[i].cell[0], &v);
 			if (t->mm[i] > 0 &&
-			    (sieve_name_series(text) != SIEVE_NONE ||
+			    (sieve_series_of_name(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
 				xappend_to_list(
 				    &named, ", ", "%s = %g", text, t->mm[i]);
@@ -671,7 +680,7 @@ note_sieve_names(struct reading *r)
 
 /* True if a table contains its sieves twice; notes that as an open question. */
 static bool
-has_sieves_twice(struct reading *r, const struct table *t)
+detect_sieves_listed_twice(struct reading *r, const struct table *t)
 {
 	size_t again, end = site_sieve_rows_before_repeat(t, &again);
 	if (end == t->n_row)
@@ -689,7 +698,7 @@ has_sieves_twice(struct reading *r, const struct table *t)
  * "cut_60ms.csv".  Returns false if the name states none, or the sheet states
  * one. */
 static bool
-take_speed_of_file_name(
+read_speed_from_file_name(
     const struct site_request *q, const char *path, struct surroundings *near)
 {
 	FREED char *stem = site_heading_name_from_path(path);
@@ -732,7 +741,7 @@ check_speed_given_for_file(const struct columns *all, size_t i, double given)
 			continue;
 		FREED char *wanted = xasprintf(
 		    tr("a product at %g m/s, as after the file's name"), given);
-		sheet_fault_expected(c->table->sheet, c->head, wanted,
+		sheet_report_expected(c->table->sheet, c->head, wanted,
 		    "leave out @%g to take the speed of the sheet, %g m/s",
 		    given, c->speed);
 	}
@@ -749,8 +758,8 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	    .rotor = rotor, .told = r->columns.others, .samples = &r->samples};
 	near.speed = told.differ ? 0 : told.mps;
 	near.rpm = told.differ ? 0 : told.rpm;
-	near.context =
-	    title_words_and_speed(page->layout, t, q->path[page->file], &near);
+	near.context = title_read_role_and_speed(
+	    page->layout, t, q->path[page->file], &near);
 	/* "Specification" or "VSI 2" above a later table of the sheet may mean
 	 * that it is another site's. */
 	if (t->strange && t != &page->layout->table[0] && !near.told &&
@@ -758,7 +767,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 		r->open.other = t;
 	if (given > 0)
 		near.speed = given;
-	bool named = take_speed_of_file_name(q, q->path[page->file], &near);
+	bool named = read_speed_from_file_name(q, q->path[page->file], &near);
 	uint64_t sieve = samples_set_column_headings(&r->columns, t);
 	if (!layout_long_to_wide(t, sieve)) {
 		r->lost = true;
@@ -769,9 +778,9 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
-	if (has_sieves_twice(r, t))
+	if (detect_sieves_listed_twice(r, t))
 		return;
-	site_sieve_check_sizes(t);
+	site_sieve_read_and_check(t);
 	t->unit_open = certainty == SIEVES_OPEN;
 	if (certainty == SIEVES_ASSUMED)
 		xappend_to_list(&r->site->assumed, "; ", tr("sieves in %s"),
@@ -792,7 +801,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 
 /* Parses columns=, samples= and range=. */
 static bool
-parse_request_options(struct reading *r)
+parse_columns_samples_and_range(struct reading *r)
 {
 	const struct site_request *q = r->request;
 	struct error e;
@@ -807,21 +816,21 @@ parse_request_options(struct reading *r)
 		    "at the bottom right",
 		    q->range));
 	if (!good)
-		*error_add(r->errors) = e;
+		*error_list_add_item(r->errors) = e;
 	return good;
 }
 
 /* Reports a sheet of predictions, which must not be read as measurements,
  * whatever columns= says.  Returns false if there is one. */
 static bool
-check_not_predicted(const struct source *source)
+check_sheets_are_not_results(const struct source *source)
 {
 	char *command = NULL;
 	size_t i = 0;
 	while (i < source->n && command == NULL)
 		command = command_that_made_sheet(source->sheet[i++]);
 	if (command != NULL)
-		sheet_fault(source->sheet[i - 1],
+		sheet_report_fault(source->sheet[i - 1],
 		    source->sheet[i - 1]->row[0].cell[0],
 		    "expected a site file, got tipspeed's own results "
 		    "(%s)\nload the sheet that they were made from; 'write' "
@@ -841,22 +850,22 @@ read_site_file(struct reading *r, size_t file)
 			? source_read_from_memory(
 			      q->path[file], q->text, r->errors, source)
 			: source_read_sheets(q->path[file], r->errors, source);
-	if (!read || !check_not_predicted(source))
+	if (!read || !check_sheets_are_not_results(source))
 		return false;
 	size_t before = r->n_page;
 	FREED char *names = xstrdup("");
 	if (source->note[0] != '\0')
 		xappend_to_list(&r->site->remark, "; ", "%s", source->note);
-	for (size_t i = 0; i < source->n && !error_should_stop(r->errors);
+	for (size_t i = 0; i < source->n && !error_is_stop_requested(r->errors);
 	     i++) {
 		struct sheet *sheet = source->sheet[i];
 		xappend_to_list(&names, ", ", "%s", sheet->name);
 		if (q->sheet != NULL &&
-		    !text_same_folded(sheet->name, q->sheet))
+		    !text_is_same_folded(sheet->name, q->sheet))
 			continue;
 		if (q->decimal != '\0')
 			number_set_decimal_sign(sheet, q->decimal);
-		site_sieve_uncomment_numbers(sheet);
+		site_sieve_uncomment_astm_rows(sheet);
 		struct layout *layout = layout_new_of_sheet(sheet, r->range);
 		r->page = xrealloc(r->page, r->n_page + 1, sizeof *r->page);
 		r->page[r->n_page++] = (struct page){file, sheet, layout};
@@ -864,7 +873,8 @@ read_site_file(struct reading *r, size_t file)
 	}
 	bool found = r->n_page > before;
 	if (!found)
-		error_at(error_add(r->errors), ERROR_DATA, q->path[file], 0, 0,
+		error_set_at(error_list_add_item(r->errors), ERROR_DATA,
+		    q->path[file], 0, 0,
 		    names[0] != '\0'
 			? N_("expected a sheet called %s, got none\n"
 			     "its sheets: %s")
@@ -876,19 +886,19 @@ read_site_file(struct reading *r, size_t file)
 
 /* True if any page has a table; pages without one are ignored. */
 static bool
-check_any_table(struct reading *r)
+check_sieve_table_found(struct reading *r)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < r->n_page; i++)
 		n += r->page[i].layout->n;
 	if (n == 0 && !r->lost)
-		fault_no_table(first_sheet(r));
+		report_missing_table(first_sheet(r));
 	return n > 0;
 }
 
 /* Takes the rotor's diameter from titles and remarks, if no key states it. */
 static void
-take_rotor_from_remarks(struct reading *r, const struct heading_rotor *said)
+set_rotor_from_remarks(struct reading *r, const struct heading_rotor *said)
 {
 	if (r->site->rotor > 0 || !(said->mm > 0))
 		return;
@@ -927,7 +937,7 @@ read_all_tables(struct reading *r)
 {
 	struct heading_rotor rotor = {0};
 	for (size_t i = 0; i < r->n_page; i++)
-		title_apply_sample_keys(r->page[i].layout);
+		title_move_lines_to_headings(r->page[i].layout);
 	for (size_t i = 0; i < r->n_page; i++)
 		site_heading_merge_rotor(r->page[i].layout, &rotor);
 	for (size_t i = 0; i < r->n_page; i++) {
@@ -936,11 +946,12 @@ read_all_tables(struct reading *r)
 		if (page->layout->n == 0)
 			continue;
 		site_heading_read(page->layout, page->sheet, r->site, &told);
-		take_rotor_from_remarks(r, &rotor);
+		set_rotor_from_remarks(r, &rotor);
 		if (title_has_speed_per_table(page->layout))
 			told = (struct heading_speed){0};
 		for (size_t b = 0;
-		     b < page->layout->n && !error_should_stop(r->errors); b++)
+		     b < page->layout->n && !error_is_stop_requested(r->errors);
+		     b++)
 			read_site_table(r, page, &page->layout->table[b], told);
 	}
 }
@@ -948,11 +959,11 @@ read_all_tables(struct reading *r)
 /* Lists the numbers of a column, without the pan.  Returns how many there
  * are. */
 static size_t
-list_column_numbers(const struct column *c, double *list)
+list_values_of_column(const struct column *c, double *list)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		double v = site_column_number_in_row(c, i);
+		double v = site_column_value_in_row(c, i);
 		bool pan = c->table->mm != NULL && c->table->mm[i] == 0;
 		if (!isnan(v) && !pan)
 			list[n++] = v;
@@ -963,15 +974,15 @@ list_column_numbers(const struct column *c, double *list)
 /* True if two columns have the same role, speed and numbers, perhaps in reverse
  * order. */
 static bool
-has_same_numbers(const struct column *a, const struct column *b)
+are_duplicate_columns(const struct column *a, const struct column *b)
 {
 	if (a->role != b->role || a->role == NO_ROLE ||
 	    fabs(a->speed - b->speed) > 1e-3 || a->rpm != b->rpm)
 		return false;
 	FREED double *x = xcalloc_doubles(a->table->n_row);
 	FREED double *y = xcalloc_doubles(b->table->n_row);
-	size_t n = list_column_numbers(a, x), same = 0, back = 0;
-	if (n != list_column_numbers(b, y))
+	size_t n = list_values_of_column(a, x), same = 0, back = 0;
+	if (n != list_values_of_column(b, y))
 		return false;
 	for (size_t i = 0; i < n; i++) {
 		same += fabs(x[i] - y[i]) > 0 ? 0 : 1;
@@ -993,7 +1004,7 @@ is_table_repeated(const struct reading *r, size_t k)
 		for (size_t j = 0; j < i && !found; j++)
 			found =
 			    r->all.column[j].table->sheet != c->table->sheet &&
-			    has_same_numbers(c, &r->all.column[j]);
+			    are_duplicate_columns(c, &r->all.column[j]);
 		if (!found)
 			return false;
 	}
@@ -1039,7 +1050,7 @@ file_index_of_column(const struct reading *r, const struct column *c)
 
 /* Gives each feed the speed of its file, if several files have a feed. */
 static void
-give_feeds_speed_of_file(struct reading *r)
+set_feed_speeds_from_files(struct reading *r)
 {
 	const double *speed = r->request->speed;
 	bool several = false, all = speed != NULL;
@@ -1064,10 +1075,10 @@ give_feeds_speed_of_file(struct reading *r)
  * column is called product, it may be meant as the feed, so it loses its
  * role. */
 static void
-choose_feed_column(struct reading *r)
+drop_products_without_speed(struct reading *r)
 {
 	struct columns *all = &r->all;
-	size_t feeds = site_column_count_role(all, NULL, FEED), n = 0;
+	size_t feeds = site_column_count_by_role(all, NULL, FEED), n = 0;
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];
 		bool open = c->role == PRODUCT && !(c->speed > 0);
@@ -1104,7 +1115,7 @@ product_speeds_text(const struct columns *all)
 
 /* Gives each feed the speed of the product in its table. */
 static void
-give_feeds_product_speeds(struct columns *all)
+set_feed_speeds_from_products(struct columns *all)
 {
 	for (size_t i = 0; i < all->n; i++)
 		for (size_t k = 0; k < all->n; k++) {
@@ -1131,10 +1142,10 @@ accept_tables_as_one_site(struct reading *r)
 		!titles_are_speed_series(r->table, r->n_table, &r->all, parts)))
 		return;
 	if (tests)
-		give_feeds_product_speeds(&r->all);
+		set_feed_speeds_from_products(&r->all);
 	r->open.other = NULL;
 	FREED char *speeds = product_speeds_text(&r->all);
-	if (site_column_count_role(&r->all, NULL, FEED) > 0)
+	if (site_column_count_by_role(&r->all, NULL, FEED) > 0)
 		xappend_to_list(&r->site->remark, "; ",
 		    tr("read as one site: feed and products at %s"), speeds);
 	else
@@ -1151,7 +1162,7 @@ count_faults(const struct reading *r)
 /* Returns the day of a sample: the one in its headings, or else the one stated
  * above its table; NULL if there is none. */
 static char *
-find_day_of_sample(const struct reading *r, const struct column *c)
+day_of_sample_or_title(const struct reading *r, const struct column *c)
 {
 	size_t p = 0;
 	bool differ = false;
@@ -1166,7 +1177,7 @@ find_day_of_sample(const struct reading *r, const struct column *c)
 /* True if a column is a product, and not one that is read in another
  * quantity. */
 static bool
-is_main_product(const struct column *c)
+is_product_not_duplicate(const struct column *c)
 {
 	return c->role == PRODUCT && c->twin == 0;
 }
@@ -1179,15 +1190,15 @@ note_days_of_cuts(struct reading *r)
 	const struct columns *all = &r->all;
 	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
 	for (size_t i = 0; i < all->n; i++)
-		if (is_main_product(&all->column[i]))
-			day[i] = find_day_of_sample(r, &all->column[i]);
+		if (is_product_not_duplicate(&all->column[i]))
+			day[i] = day_of_sample_or_title(r, &all->column[i]);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		bool any = false;
 		for (size_t k = 0; k < all->n; k++)
 			any = any || (day[k] != NULL &&
 					 all->column[k].speed == c->speed);
-		if (!is_main_product(c) || !any)
+		if (!is_product_not_duplicate(c) || !any)
 			continue;
 		FREED char *note = xasprintf("%g m/s%s%s", c->speed,
 		    day[i] != NULL ? ", " : "", day[i] != NULL ? day[i] : "");
@@ -1205,18 +1216,18 @@ note_days_not_read(struct reading *r)
 {
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
-		const char *day = site_day_unreadable(c->table, c->at);
-		if (is_main_product(c) && day != NULL)
+		const char *day = site_find_unreadable_day(c->table, c->at);
+		if (is_product_not_duplicate(c) && day != NULL)
 			leave_out(r->site, c->head.line,
 			    "the day '%.*s' of the cut at %g m/s: write year, "
 			    "month, day",
-			    sheet_bytes_to_show(day), day, c->speed);
+			    sheet_truncated_text_length(day), day, c->speed);
 	}
 }
 
 /* Returns the days of all samples, "2026-05-03 to 2026-05-05", or NULL. */
 static char *
-find_days_of_all_samples(const struct reading *r)
+day_range_of_all_samples(const struct reading *r)
 {
 	const struct columns *all = &r->all;
 	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
@@ -1233,9 +1244,9 @@ find_days_of_all_samples(const struct reading *r)
  * if these have none, to the only day stated outside the tables.  See
  * site_data_kind. */
 static void
-take_day_for_provenance(struct reading *r)
+set_provenance_from_days(struct reading *r)
 {
-	FREED char *days = find_days_of_all_samples(r);
+	FREED char *days = day_range_of_all_samples(r);
 	FREED char *day = NULL;
 	bool differ = false;
 	for (size_t p = 0; p < r->n_page; p++)
@@ -1250,7 +1261,7 @@ take_day_for_provenance(struct reading *r)
 
 /* True if the user gave information that the files may not contain. */
 static bool
-is_told_by_user(const struct site_request *q)
+did_user_supply_information(const struct site_request *q)
 {
 	bool told = q->columns != NULL || q->samples != NULL || q->rotor > 0 ||
 		    q->decimal != '\0';
@@ -1273,17 +1284,17 @@ finish_site_reading(struct reading *r)
 		free(r->site->name);
 		r->site->name = site_heading_name_from_path(q->path[0]);
 	}
-	r->site->told = is_told_by_user(q);
+	r->site->told = did_user_supply_information(q);
 	note_speeds_from_rpm(r);
 	make_runs_of_site(r->site, &r->all);
 	if (q->parts) {
 		note_days_of_cuts(r);
 		note_days_not_read(r);
 	} else {
-		take_day_for_provenance(r);
+		set_provenance_from_days(r);
 	}
-	note_all_left_out(r);
-	note_sieve_names(r);
+	note_all_unread_lines(r);
+	note_mm_of_named_sieves(r);
 	site_describe_columns(r->table, r->n_table, &r->all, r->site);
 	struct site *site = r->site;
 	r->site = NULL;
@@ -1291,7 +1302,7 @@ finish_site_reading(struct reading *r)
 }
 
 static void
-reading_clear(struct reading *r)
+clear_site_reading(struct reading *r)
 {
 	for (size_t i = 0; i < r->all.n; i++) {
 		free(r->all.column[i].pct);
@@ -1314,14 +1325,14 @@ static bool
 read_site_files(struct reading *r)
 {
 	for (size_t i = 0; i < r->request->n; i++)
-		if (!read_site_file(r, i) || error_should_stop(r->errors))
+		if (!read_site_file(r, i) || error_is_stop_requested(r->errors))
 			return false;
-	return check_any_table(r);
+	return check_sieve_table_found(r);
 }
 
 struct site *
-site_read_request(const struct site_request *request, struct error_list *errors,
-    struct site_ask *ask)
+site_read_with_options(const struct site_request *request,
+    struct error_list *errors, struct site_ask *ask)
 {
 	struct site_ask none = {0};
 	struct site *site = NULL;
@@ -1329,14 +1340,14 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 	    .request = request, .errors = errors, .site = site_new(0)};
 	r.site->rotor = request->rotor;
 	r.source = xcalloc(request->n, sizeof *r.source);
-	if (parse_request_options(&r) && read_site_files(&r)) {
+	if (parse_columns_samples_and_range(&r) && read_site_files(&r)) {
 		read_all_tables(&r);
 		drop_repeated_tables(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
-		give_feeds_speed_of_file(&r);
+		set_feed_speeds_from_files(&r);
 		if (request->feed)
-			choose_feed_column(&r);
+			drop_products_without_speed(&r);
 		if (r.n_table > 0)
 			samples_report_missing(&r.samples, r.table[0]);
 		classify_columns_together(&r.all, r.site,
@@ -1346,19 +1357,19 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 			    site_ask_pending_question(&r.open, request, r.table,
 				r.n_table, &r.all, ask != NULL ? ask : &none);
 		if (!open) {
-			read_and_check_columns(&r);
-			assume_top_size(&r, ask != NULL ? ask : &none);
+			read_and_check_sheet_columns(&r);
+			set_or_ask_top_size(&r, ask != NULL ? ask : &none);
 		}
 		if (ask != NULL) {
 			ask->no_feed =
-			    site_column_count_role(&r.all, NULL, FEED) == 0;
-			ask->no_product =
-			    site_column_count_role(&r.all, NULL, PRODUCT) == 0;
+			    site_column_count_by_role(&r.all, NULL, FEED) == 0;
+			ask->no_product = site_column_count_by_role(
+					      &r.all, NULL, PRODUCT) == 0;
 		}
 		if (count_faults(&r) == 0)
 			site = finish_site_reading(&r);
 	}
-	reading_clear(&r);
+	clear_site_reading(&r);
 	site_ask_clear(&none);
 	return site;
 }
@@ -1367,5 +1378,5 @@ struct site *
 site_read(const char *path, struct error_list *errors)
 {
 	struct site_request request = {.n = 1, .path = &path};
-	return site_read_request(&request, errors, NULL);
+	return site_read_with_options(&request, errors, NULL);
 }

@@ -19,10 +19,10 @@
  * Sizes are rounded to 1e-9 mm and passings to 1e-12 %, as site_write prints
  * them, so a site and its saved copy have the same digest.  Every run satisfies
  * the rules of psd.h; feeds pass 1 on their coarsest sieve. */
-struct site *site_read_request(const struct site_request *request,
+struct site *site_read_with_options(const struct site_request *request,
     struct error_list *errors, struct site_ask *ask);
 
-/* As site_read_request, for one file, without options. */
+/* As site_read_with_options, for one file, without options. */
 struct site *site_read(const char *path, struct error_list *errors);
 
 #endif

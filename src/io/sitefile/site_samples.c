@@ -38,7 +38,7 @@ next_list_item(char **rest)
 
 /* Adds "3=feed" (numbers: a column by its number) or "S01=feed". */
 static bool
-add_sample_item(
+parse_sample_assignment(
     struct samples *s, bool numbers, char *part, struct error *error)
 {
 	char *text = text_trim(part), *cut = strrchr(text, '=');
@@ -61,13 +61,13 @@ add_sample_item(
 }
 
 static bool
-parse_sample_items(
+parse_column_or_sample_roles(
     struct samples *s, bool numbers, const char *text, struct error *error)
 {
 	FREED char *copy = xstrdup(text != NULL ? text : "");
 	char *rest = text != NULL ? copy : NULL;
 	for (char *part; (part = next_list_item(&rest)) != NULL;)
-		if (!add_sample_item(s, numbers, part, error))
+		if (!parse_sample_assignment(s, numbers, part, error))
 			return false;
 	return true;
 }
@@ -75,7 +75,7 @@ parse_sample_items(
 bool
 samples_parse_option(struct samples *s, const char *text, struct error *error)
 {
-	return parse_sample_items(s, false, text, error);
+	return parse_column_or_sample_roles(s, false, text, error);
 }
 
 bool
@@ -84,10 +84,10 @@ samples_parse_columns_option(struct samples *s, const char *text,
 {
 	static const uint64_t ELSE =
 	    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
-	if (!parse_sample_items(s, true, text, error))
+	if (!parse_column_or_sample_roles(s, true, text, error))
 		return false;
 	for (size_t i = 0; i < s->n; i++) {
-		uint64_t means = lexicon_meanings(s->item[i].text, NULL);
+		uint64_t means = lexicon_text_meanings(s->item[i].text, NULL);
 		if ((means & WORD_SIZE) == 0 || (means & ELSE) != 0) {
 			s->others = true;
 			continue;
@@ -135,7 +135,7 @@ move_column_of_rows(struct row *row, size_t n_row, size_t c, size_t n)
 
 /* Keeps the days that the headings of all columns state. */
 static void
-keep_days(struct table *t)
+set_day_of_each_column(struct table *t)
 {
 	char **day = xcalloc(t->n_col, sizeof(*day));
 	for (size_t c = 1; c < t->n_col; c++) {
@@ -147,12 +147,12 @@ keep_days(struct table *t)
 
 /* Gives the columns new headings and drops those that the user did not name. */
 static void
-replace_headings_by_names(const struct samples *columns, struct table *t)
+rename_and_keep_named_columns(const struct samples *columns, struct table *t)
 {
 	size_t n = 0;
 	struct row head = {.line = t->row[0].line};
 	head.cell = xcalloc(t->n_col, sizeof *head.cell);
-	keep_days(t);
+	set_day_of_each_column(t);
 	for (size_t c = 0; c < t->n_col; c++) {
 		const struct sample *named =
 		    find_sample_of_column(columns, t->number[c]);
@@ -163,7 +163,8 @@ replace_headings_by_names(const struct samples *columns, struct table *t)
 				       : t->row[0].cell[c];
 		char *text = layout_adopt_text(
 		    t, xstrdup(named != NULL ? named->text : ""));
-		head.cell[n] = number_cell_with_text(t->sheet, cell, text);
+		head.cell[n] =
+		    number_reparse_cell_with_text(t->sheet, cell, text);
 		t->number[n] = t->number[c];
 		t->day[n] = t->day[c];
 		move_column_of_rows(t->row, t->n_row, c, n);
@@ -186,8 +187,8 @@ samples_set_column_headings(const struct samples *columns, struct table *t)
 	const struct sample *sieves =
 	    find_sample_of_column(columns, t->number[0]);
 	if (columns->others)
-		replace_headings_by_names(columns, t);
-	return sieves != NULL ? lexicon_meanings(sieves->text, NULL) : 0;
+		rename_and_keep_named_columns(columns, t);
+	return sieves != NULL ? lexicon_text_meanings(sieves->text, NULL) : 0;
 }
 
 /* True if the cells of a row of headings are all different. */
@@ -217,20 +218,20 @@ samples_have_distinct_names(const struct table *t)
 /* True if the label of a row of headings says that it names the samples:
  * "Sample", "Prov nr". */
 static bool
-is_row_of_names(const struct row *row)
+is_row_of_sample_names(const struct row *row)
 {
 	static const uint64_t ELSE = WORD_SPEED | WORD_PASSES | WORD_STAYS |
 				     WORD_GRAMS | WORD_MASS | WORD_SIZE;
-	uint64_t means = lexicon_meanings(row->cell[0].text, NULL);
+	uint64_t means = lexicon_text_meanings(row->cell[0].text, NULL);
 	return (means & WORD_SAMPLE) != 0 && (means & ELSE) == 0 &&
-	       !lexicon_is_label_of_day(row->cell[0].text);
+	       !lexicon_is_date_label(row->cell[0].text);
 }
 
 const struct cell *
 samples_name_of_column(const struct table *t, size_t c)
 {
 	for (size_t r = 0; r < t->n_head; r++)
-		if (is_row_of_names(&t->head[r]) &&
+		if (is_row_of_sample_names(&t->head[r]) &&
 		    t->head[r].cell[c].text[0] != '\0')
 			return &t->head[r].cell[c];
 	return NULL;
@@ -242,12 +243,13 @@ samples_label_of_column(const struct table *t, size_t c)
 	if (t->name != NULL)
 		return xstrdup(t->name[c]);
 	for (size_t r = 0; r < t->n_head; r++)
-		if (is_row_of_names(&t->head[r]) && are_headings_distinct(t, r))
+		if (is_row_of_sample_names(&t->head[r]) &&
+		    are_headings_distinct(t, r))
 			return xstrdup(t->head[r].cell[c].text);
 	for (size_t r = 0; r < t->n_head; r++)
 		if (are_headings_distinct(t, r))
 			return xstrdup(t->head[r].cell[c].text);
-	return layout_heading_text(t, c);
+	return layout_column_heading_text(t, c);
 }
 
 /* True if a name is that of a column: its label, or a cell of its headings. */
@@ -255,16 +257,16 @@ static bool
 is_name_of_column(
     const struct table *t, size_t c, const char *label, const char *name)
 {
-	bool same = text_same_folded(label, name);
+	bool same = text_is_same_folded(label, name);
 	for (size_t r = 0; r < t->n_head && !same && t->name == NULL; r++)
-		same = text_same_folded(t->head[r].cell[c].text, name);
+		same = text_is_same_folded(t->head[r].cell[c].text, name);
 	return same;
 }
 
 static void
 refuse_sample_against_heading(const struct column *c, const char *text)
 {
-	sheet_fault(c->table->sheet, c->head,
+	sheet_report_fault(c->table->sheet, c->head,
 	    "expected what this heading states, got '%s' in samples=\nleave "
 	    "out what contradicts it, or correct the sheet",
 	    text);
@@ -273,7 +275,7 @@ refuse_sample_against_heading(const struct column *c, const char *text)
 /* Adds those of the meanings `own` that belong to a group; reports a
  * contradiction to what the headings state. */
 static void
-merge_stated_meanings(
+add_meanings_unless_contradicted(
     struct column *c, const char *text, uint64_t group, uint64_t own)
 {
 	uint64_t stated = c->said.means & group;
@@ -293,7 +295,7 @@ apply_sample_option_text(struct column *c, const char *text)
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
 	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
-		merge_stated_meanings(c, text, GROUPS[i], own.means);
+		add_meanings_unless_contradicted(c, text, GROUPS[i], own.means);
 	if (own.speed > 0 && said->speed > 0 &&
 	    fabs(own.speed - said->speed) > 1e-3)
 		refuse_sample_against_heading(c, text);
@@ -319,7 +321,7 @@ bool
 samples_is_sheet_named(const struct samples *s, const struct sheet *sheet)
 {
 	for (size_t i = 0; i < s->n; i++)
-		if (text_same_folded(
+		if (text_is_same_folded(
 			s->item[i].name, samples_sheet_label(sheet)))
 			return true;
 	return false;
@@ -332,7 +334,7 @@ samples_apply_to_column(struct samples *s, struct column *c)
 	for (size_t i = 0; i < s->n; i++) {
 		struct sample *one = &s->item[i];
 		if (!is_name_of_column(c->table, c->at, label, one->name) &&
-		    !text_same_folded(
+		    !text_is_same_folded(
 			samples_sheet_label(c->table->sheet), one->name))
 			continue;
 		one->found = true;
@@ -356,7 +358,7 @@ samples_report_missing(const struct samples *s, const struct table *t)
 		FREED char *label = samples_label_of_column(t, c);
 		xappend_to_list(&list, ", ", "%s", label);
 	}
-	sheet_fault(t->sheet, t->row[0].cell[0],
+	sheet_report_fault(t->sheet, t->row[0].cell[0],
 	    "expected a sample called %s, got none\nsamples here: %s%s",
 	    s->item[i].name, list, t->n_col > SHOWN + 1 ? ", .." : "");
 }

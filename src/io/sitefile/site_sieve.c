@@ -27,16 +27,16 @@ site_sieve_read_mm(
 {
 	double v;
 	if (cell.text[0] == '\0') {
-		sheet_fault_expected(sheet, cell, wanted,
+		sheet_report_expected(sheet, cell, wanted,
 		    "write the sieve size, or remove the row");
 		return NAN;
 	}
 	if (!number_read_cell(sheet, cell, wanted, &v))
 		return NAN;
-	double mm = site_column_round_to_step(v * unit, 1e9);
+	double mm = round_to_step(v * unit, 1e9);
 	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
 		return mm;
-	sheet_fault_expected(sheet, cell,
+	sheet_report_expected(sheet, cell,
 	    v > 0 ? N_("a size from 1e-6 to 1e4 mm") : N_("a positive size"),
 	    "%s",
 	    v > 0 ? tr("check the number and its unit")
@@ -46,11 +46,11 @@ site_sieve_read_mm(
 
 /* Reports a sieve name that does not exist. */
 static void
-fault_unknown_sieve_name(struct table *t, struct cell cell)
+report_unknown_sieve_name(struct table *t, struct cell cell)
 {
-	if (sieve_name_series(cell.text) == SIEVE_MESH ||
+	if (sieve_series_of_name(cell.text) == SIEVE_MESH ||
 	    t->unit.series == SIEVE_MESH) {
-		sheet_fault_expected(t->sheet, cell,
+		sheet_report_expected(t->sheet, cell,
 		    "a mesh number with its series",
 		    "write Tyler, BS or No. (ASTM E11) before the numbers or "
 		    "in the heading; or load FILE columns=\"%zu=sieve tyler, "
@@ -59,7 +59,7 @@ fault_unknown_sieve_name(struct table *t, struct cell cell)
 		return;
 	}
 	FREED char *nearest = sieve_nearest_names(cell.text);
-	sheet_fault_expected(t->sheet, cell, "a sieve of ASTM E11",
+	sheet_report_expected(t->sheet, cell, "a sieve of ASTM E11",
 	    "use the nearest: %s; or begin a remark with # and a word, not a "
 	    "number alone",
 	    nearest);
@@ -74,13 +74,13 @@ sieve_mm_of_row(struct table *t, struct cell cell)
 	if (kind == SIEVE_IS_PAN)
 		return 0;
 	if (kind == SIEVE_IS_SIZE && isnan(mm)) {
-		fault_unknown_sieve_name(t, cell);
+		report_unknown_sieve_name(t, cell);
 		return NAN;
 	}
 	if (kind == SIEVE_IS_SIZE && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM)
 		return mm;
 	if (isalpha((unsigned char)cell.text[0])) {
-		sheet_fault_expected(t->sheet, cell, "a sieve size or pan",
+		sheet_report_expected(t->sheet, cell, "a sieve size or pan",
 		    "remove sums and remarks from the table, or begin their "
 		    "line with #");
 		return NAN;
@@ -114,7 +114,7 @@ is_inch_fraction(const char *text)
 	       text_parse_number(bar + 1, &parts) &&
 	       (parts == 2 || parts == 4 || parts == 8 || parts == 16 ||
 		   parts == 32) &&
-	       sieve_name_mm(text, SIEVE_ASTM) > 0;
+	       sieve_mm_of_name(text, SIEVE_ASTM) > 0;
 }
 
 /* True if two texts are neighbouring classes, 8/16 and 4/8. */
@@ -169,7 +169,7 @@ summarise_sieve_sizes(const struct table *t, struct numbers *all)
 }
 
 static struct numbers
-summarise_sieve_numbers(const struct table *t)
+summarise_numbers_in_sieve_column(const struct table *t)
 {
 	struct numbers all = {.rises = true, .even = true, .whole = true};
 	bool fractions = are_fractions_inches(t);
@@ -184,7 +184,8 @@ summarise_sieve_numbers(const struct table *t)
 		all.whole = all.whole && !(number && v != floor(v));
 		if (part || !number)
 			continue;
-		all.n_astm += v > 0 && sieve_name_mm(cell.text, SIEVE_ASTM) > 0;
+		all.n_astm +=
+		    v > 0 && sieve_mm_of_name(cell.text, SIEVE_ASTM) > 0;
 		all.n_below += v < 0;
 		all.n_beyond += fabs(v) > SIEVE_MOST_PHI;
 		all.even = all.even && !(fabs(v - last - step) > 1e-9);
@@ -228,7 +229,7 @@ guess_sieve_unit(const struct numbers *all)
 static enum sieve_certainty
 site_sieve_find_unit(struct table *t, uint64_t means)
 {
-	struct numbers all = summarise_sieve_numbers(t);
+	struct numbers all = summarise_numbers_in_sieve_column(t);
 	double most = all.most, most_um = 1e-3 * all.most;
 	bool mesh = t->unit.series == SIEVE_MESH && all.whole;
 	bool said = (means & WORD_NUMBER) != 0;
@@ -286,7 +287,7 @@ are_sizes_in_order(const double *v, size_t n)
  * end of the table, if that puts all sizes in order.  Returns true if it
  * did. */
 static bool
-split_mm_and_um(struct table *t)
+read_sizes_in_mm_and_um(struct table *t)
 {
 	size_t n = t->n_row, from = 0, to = 0;
 	FREED double *v = xcalloc_doubles(n);
@@ -312,7 +313,7 @@ split_mm_and_um(struct table *t)
 		struct cell *cell = &t->row[i].cell[0];
 		if (isnan(v[i]))
 			continue;
-		*cell = number_cell_with_text(t->sheet, *cell,
+		*cell = number_reparse_cell_with_text(t->sheet, *cell,
 		    layout_adopt_text(t, xasprintf("%s um", cell->text)));
 	}
 	return split;
@@ -320,7 +321,7 @@ split_mm_and_um(struct table *t)
 
 /* True if the sizes rise without exception. */
 static bool
-is_finest_first(const struct table *t)
+are_sieves_finest_first(const struct table *t)
 {
 	int rising = 0;
 	double last = NAN;
@@ -361,12 +362,12 @@ site_sieve_check_order(struct table *t)
 		while (twin < i && t->mm[twin] != t->mm[i])
 			twin++;
 		if (twin < i)
-			sheet_fault(t->sheet, cell,
+			sheet_report_fault(t->sheet, cell,
 			    "duplicate sieve: %s is already in line %d\n"
 			    "remove one of the two rows, or correct its size",
 			    cell.text, t->row[twin].line);
 		else if (last < t->n_row && t->mm[i] > t->mm[last])
-			sheet_fault(t->sheet, cell,
+			sheet_report_fault(t->sheet, cell,
 			    "expected sieves coarsest first, got %s after %s\n"
 			    "sort the rows by size, largest first, or correct "
 			    "the size",
@@ -378,7 +379,7 @@ site_sieve_check_order(struct table *t)
 enum sieve_certainty
 site_sieve_find_unit_and_sort(struct table *t, uint64_t told)
 {
-	FREED char *head = layout_heading_text(t, 0);
+	FREED char *head = layout_column_heading_text(t, 0);
 	/* A heading of speeds, beside sieves without a heading, states no unit
 	 * of size. */
 	struct head said = heading_parse(head);
@@ -388,8 +389,8 @@ site_sieve_find_unit_and_sort(struct table *t, uint64_t told)
 	uint64_t means = told != 0 ? told : speeds ? 0 : said.means;
 	t->unit = sieve_unit_from_words(means);
 	bool lengths = t->unit.mm == 1 || t->unit.mm == 0;
-	bool split =
-	    lengths && t->unit.series == SIEVE_NONE && split_mm_and_um(t);
+	bool split = lengths && t->unit.series == SIEVE_NONE &&
+		     read_sizes_in_mm_and_um(t);
 	if (split)
 		t->unit.mm = 1;
 	struct sieve_unit stated = t->unit;
@@ -404,7 +405,7 @@ site_sieve_find_unit_and_sort(struct table *t, uint64_t told)
 		t->unit = stated;
 		certainty = SIEVES_SAID;
 	}
-	t->finest_first = is_finest_first(t);
+	t->finest_first = are_sieves_finest_first(t);
 	for (size_t i = 0; t->finest_first && i < t->n_row / 2; i++) {
 		struct row row = t->row[i];
 		t->row[i] = t->row[t->n_row - 1 - i];
@@ -420,7 +421,7 @@ check_columns_have_headings(struct table *t)
 {
 	size_t heads = 0, last = t->n_head > 0 ? t->n_head - 1 : 0;
 	for (size_t c = 0; c < t->n_col; c++) {
-		FREED char *head = layout_heading_text(t, c);
+		FREED char *head = layout_column_heading_text(t, c);
 		heads = head[0] != '\0' ? c + 1 : heads;
 	}
 	for (size_t i = 0; i < t->n_row && heads > 1; i++) {
@@ -430,7 +431,7 @@ check_columns_have_headings(struct table *t)
 		if (n == heads)
 			continue;
 		t->lost = true;
-		sheet_fault(t->sheet, t->row[i].cell[heads],
+		sheet_report_fault(t->sheet, t->row[i].cell[heads],
 		    "expected %zu cells as in line %d, got %zu\n"
 		    "%s",
 		    heads, t->head[t->titles < last ? t->titles : last].line, n,
@@ -444,7 +445,7 @@ check_columns_have_headings(struct table *t)
 }
 
 void
-site_sieve_check_sizes(struct table *t)
+site_sieve_read_and_check(struct table *t)
 {
 	check_columns_have_headings(t);
 	t->mm = xcalloc_doubles(t->n_row);
@@ -500,7 +501,7 @@ site_sieve_unit_text(const struct table *t)
 }
 
 void
-site_sieve_uncomment_numbers(struct sheet *sheet)
+site_sieve_uncomment_astm_rows(struct sheet *sheet)
 {
 	const char separator[] = {sheet->separator, '\0'};
 	size_t rows = sheet->n_row;
@@ -513,9 +514,10 @@ site_sieve_uncomment_numbers(struct sheet *sheet)
 				 : c->text[strcspn(c->text, separator)] != '\0';
 		/* "#" alone heads a column of numbers. */
 		bool head = strcmp(first, "#") == 0;
-		if (cells && (head || sieve_name_series(first) == SIEVE_ASTM))
+		if (cells &&
+		    (head || sieve_series_of_name(first) == SIEVE_ASTM))
 			sheet_turn_comment_into_row(sheet, i);
 	}
 	if (sheet->n_row > rows)
-		number_find_in_all_cells(sheet);
+		number_parse_all_cells(sheet);
 }

@@ -26,7 +26,7 @@ enum sieve_certainty site_sieve_find_unit_and_sort(
 struct cell site_sieve_heading_cell(const struct table *t);
 
 /* Reports sizes that are wrong, out of order or duplicate. */
-void site_sieve_check_sizes(struct table *t);
+void site_sieve_read_and_check(struct table *t);
 
 /* Returns the number of rows before a second table with the same sieves, which
  * follows without an empty line; n_row if there is none.  *again gets the first
@@ -43,6 +43,6 @@ double site_sieve_read_mm(
 
 /* Turns comments that begin with #4, # 4 or another ASTM E11 number back into
  * rows. */
-void site_sieve_uncomment_numbers(struct sheet *sheet);
+void site_sieve_uncomment_astm_rows(struct sheet *sheet);
 
 #endif

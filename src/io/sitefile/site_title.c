@@ -16,7 +16,7 @@
 /* Returns the line of a table's first heading or, without one, of its first
  * row. */
 static int
-first_line_of_table(const struct table *t)
+first_line_number_of_table(const struct table *t)
 {
 	return t->n_head > 0 ? t->head[0].line : t->row[0].line;
 }
@@ -36,7 +36,7 @@ is_value_of_sample_key(const struct row *row, size_t c)
 	size_t first = 0, unknown;
 	while (first < c && row->cell[first].text[0] == '\0')
 		first++;
-	uint64_t means = lexicon_meanings(row->cell[first].text, &unknown);
+	uint64_t means = lexicon_text_meanings(row->cell[first].text, &unknown);
 	struct head value = heading_parse(row->cell[c].text);
 	return first < c && (means & ~WORD_NUMBER) == WORD_SAMPLE &&
 	       unknown == 0 && is_title_of_sample(&value);
@@ -57,7 +57,7 @@ can_be_title_cell(const struct row *row, size_t c)
 static bool
 is_line_above_table(const struct table *t, const struct row *row)
 {
-	return !t->across && row->line < first_line_of_table(t) &&
+	return !t->across && row->line < first_line_number_of_table(t) &&
 	       row->line > t->after;
 }
 
@@ -68,16 +68,16 @@ is_line_above_table(const struct table *t, const struct row *row)
 static bool
 can_be_table_title(const struct table *t, const struct row *row, size_t c)
 {
-	bool near = row->line < first_line_of_table(t) &&
-		    row->line >= first_line_of_table(t) - 3 &&
+	bool near = row->line < first_line_number_of_table(t) &&
+		    row->line >= first_line_number_of_table(t) - 3 &&
 		    (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
-	return lexicon_key_from_text(row->cell[0].text) == N_KEY &&
+	return lexicon_site_key_of_text(row->cell[0].text) == N_KEY &&
 	       (near ||
 		   (can_be_title_cell(row, c) && is_line_above_table(t, row)));
 }
 
 const struct table *
-title_table_below(const struct layout *layout, const struct row *row)
+title_find_table_below_line(const struct layout *layout, const struct row *row)
 {
 	for (size_t b = 0; b < layout->n; b++)
 		if (is_line_above_table(&layout->table[b], row))
@@ -103,7 +103,7 @@ title_find_day(const struct layout *layout, const struct table *t, char *before,
 
 /* Adds cell c of a line to a table's title if it may be one. */
 static void
-append_title_line(
+append_cell_to_table_title(
     struct table *t, const struct row *row, size_t c, const struct head *title)
 {
 	const char *text = row->cell[c].text;
@@ -118,7 +118,7 @@ append_title_line(
 /* Takes the speed that a line above a table states with a key, "tip speed; 70".
  * Returns false if there is none. */
 static bool
-take_speed_above_table(const struct layout *layout, const struct table *t,
+read_speed_above_table(const struct layout *layout, const struct table *t,
     struct heading_speed *speed)
 {
 	bool found = false;
@@ -135,7 +135,7 @@ title_has_speed_per_table(const struct layout *layout)
 {
 	struct heading_speed speed = {0};
 	for (size_t b = 1; b < layout->n; b++)
-		if (take_speed_above_table(layout, &layout->table[b], &speed))
+		if (read_speed_above_table(layout, &layout->table[b], &speed))
 			return true;
 	return false;
 }
@@ -148,7 +148,7 @@ static const uint64_t BASIS_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS |
 /* True if words say what numbers are: "% passing", "percent retained", "masses
  * in g". */
 static bool
-are_words_of_basis(uint64_t means)
+do_words_state_column_quantity(uint64_t means)
 {
 	bool passes = (means & WORD_PASSES) != 0;
 	bool stays = (means & WORD_STAYS) != 0;
@@ -163,7 +163,7 @@ are_words_of_basis(uint64_t means)
  * of sample 2000 g", "36 % passing", does not say what all numbers are, but it
  * may contradict a line that does. */
 static void
-take_basis_from_titles(struct table *t)
+set_table_quantity_from_title(struct table *t)
 {
 	static const uint64_t ELSE = WORD_LIMIT | WORD_MEAN | WORD_SD |
 				     WORD_LOSS | WORD_WEIGHED | WORD_TOTAL |
@@ -174,22 +174,22 @@ take_basis_from_titles(struct table *t)
 		size_t n = strcspn(p, "\n");
 		FREED char *line = xstrndup(p, n);
 		FREED char *bare = heading_without_speeds(line);
-		uint64_t means = lexicon_meanings(line, NULL);
+		uint64_t means = lexicon_text_meanings(line, NULL);
 		all |= means & BASIS_WORDS;
-		stated = stated ||
-			 (are_words_of_basis(means) && (means & ELSE) == 0 &&
-			     strpbrk(bare, "0123456789") == NULL);
+		stated = stated || (do_words_state_column_quantity(means) &&
+				       (means & ELSE) == 0 &&
+				       strpbrk(bare, "0123456789") == NULL);
 		p += n + (size_t)(p[n] == '\n');
 	}
-	t->basis = stated && are_words_of_basis(all) ? all : 0;
+	t->basis = stated && do_words_state_column_quantity(all) ? all : 0;
 }
 
 /* True if a name can tell one sample from others: S1, Prov A, Berga. */
 static bool
-is_name_of_one_sample(const char *name)
+is_name_telling_samples_apart(const char *name)
 {
 	size_t unknown;
-	lexicon_meanings(name, &unknown);
+	lexicon_text_meanings(name, &unknown);
 	const char *last = strrchr(name, ' ');
 	last = last != NULL ? last + 1 : name;
 	return unknown > 0 || strpbrk(name, "0123456789") != NULL ||
@@ -200,7 +200,7 @@ is_name_of_one_sample(const char *name)
  * name of a sample and what is said about it.  Returns false if it has no such
  * parts.  The caller frees both in either case. */
 static bool
-split_key_of_sample(const struct row *row, char **name, char **said)
+split_line_at_sample_name(const struct row *row, char **name, char **said)
 {
 	const char *text = row->cell[0].text;
 	size_t n = strcspn(text, ":=");
@@ -210,19 +210,20 @@ split_key_of_sample(const struct row *row, char **name, char **said)
 	for (size_t c = 1; c < row->n; c++)
 		if (row->cell[c].text[0] != '\0')
 			xappend_to_list(said, " ", "%s", row->cell[c].text);
-	return (*said)[0] != '\0' && is_name_of_one_sample(*name);
+	return (*said)[0] != '\0' && is_name_telling_samples_apart(*name);
 }
 
 /* Returns the only heading of a table that is this name and says less than
  * `said`; NULL if there is none, or several. */
 static struct cell *
-heading_to_explain(struct table *t, const char *name, const struct head *said)
+find_heading_by_sample_name(
+    struct table *t, const char *name, const struct head *said)
 {
 	struct cell *found = NULL;
 	for (size_t r = 0; r < t->n_head; r++)
 		for (size_t c = 1; c < t->n_col; c++) {
 			struct cell *cell = &t->head[r].cell[c];
-			if (!text_same_folded(cell->text, name))
+			if (!text_is_same_folded(cell->text, name))
 				continue;
 			if (found != NULL)
 				return NULL;
@@ -238,19 +239,20 @@ heading_to_explain(struct table *t, const char *name, const struct head *said)
 }
 
 void
-title_apply_sample_keys(struct layout *layout)
+title_move_lines_to_headings(struct layout *layout)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		FREED char *name = NULL, *said = NULL;
-		bool key = split_key_of_sample(row, &name, &said),
+		bool key = split_line_at_sample_name(row, &name, &said),
 		     taken = false;
 		struct head head = heading_parse(said);
 		key = key && is_title_of_sample(&head) && !head.several;
 		for (size_t b = 0; b < layout->n && key; b++) {
 			struct table *t = &layout->table[b];
-			struct cell *cell = heading_to_explain(t, name, &head);
+			struct cell *cell =
+			    find_heading_by_sample_name(t, name, &head);
 			if (cell == NULL)
 				continue;
 			cell->text = layout_adopt_text(
@@ -274,7 +276,7 @@ struct title_says {
 /* Takes what a line of the title says.  The highest or lowest speed of a
  * machine is not that of a sample. */
 static void
-take_title(const struct head *title, struct title_says *says)
+record_title_role_and_speed(const struct head *title, struct title_says *says)
 {
 	uint64_t role = title->means & (WORD_FEED | WORD_PRODUCT);
 	says->role = role != 0 ? role : says->role;
@@ -292,7 +294,7 @@ take_title(const struct head *title, struct title_says *says)
 
 /* Takes the lines that are a table's title, and returns what they say. */
 static struct title_says
-take_title_lines(const struct layout *layout, struct table *t)
+read_table_title_lines(const struct layout *layout, struct table *t)
 {
 	struct title_says says = {0};
 	for (size_t i = 0; i < layout->n_heading; i++) {
@@ -301,10 +303,10 @@ take_title_lines(const struct layout *layout, struct table *t)
 			if (!can_be_table_title(t, row, c))
 				continue;
 			struct head title = heading_parse(row->cell[c].text);
-			append_title_line(t, row, c, &title);
+			append_cell_to_table_title(t, row, c, &title);
 			if (!is_title_of_sample(&title))
 				continue;
-			take_title(&title, &says);
+			record_title_role_and_speed(&title, &says);
 			layout->read[i] = true;
 			break;
 		}
@@ -313,13 +315,13 @@ take_title_lines(const struct layout *layout, struct table *t)
 }
 
 uint64_t
-title_words_and_speed(const struct layout *layout, struct table *t,
+title_read_role_and_speed(const struct layout *layout, struct table *t,
     const char *path, struct surroundings *near)
 {
-	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
+	uint64_t means = lexicon_text_meanings(t->sheet->name, NULL);
 	struct head name = heading_parse_file_name(t->sheet->name);
 	struct heading_speed own = {0};
-	if (take_speed_above_table(layout, t, &own)) {
+	if (read_speed_above_table(layout, t, &own)) {
 		near->speed = own.differ ? 0 : own.mps;
 		near->rpm = own.differ ? 0 : own.rpm;
 	}
@@ -327,7 +329,7 @@ title_words_and_speed(const struct layout *layout, struct table *t,
 		near->speed = name.speed;
 		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
 	}
-	struct title_says says = take_title_lines(layout, t);
+	struct title_says says = read_table_title_lines(layout, t);
 	means = says.role != 0 ? says.role : means;
 	if (says.speed > 0 || says.rpm > 0) {
 		near->speed = says.differ ? 0 : says.speed;
@@ -335,10 +337,10 @@ title_words_and_speed(const struct layout *layout, struct table *t,
 	}
 	if (says.differ)
 		means &= ~(uint64_t)(WORD_FEED | WORD_PRODUCT);
-	take_basis_from_titles(t);
+	set_table_quantity_from_title(t);
 	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0 && !says.differ) {
 		FREED char *stem = site_heading_name_from_path(path);
-		means |= lexicon_meanings(stem, NULL);
+		means |= lexicon_text_meanings(stem, NULL);
 	}
 	return means;
 }
@@ -350,7 +352,7 @@ title_feed_or_last_line(const struct table *t)
 		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
 		if (p[n] == '\0' ||
-		    (lexicon_meanings(line, NULL) & WORD_FEED) != 0)
+		    (lexicon_text_meanings(line, NULL) & WORD_FEED) != 0)
 			return line;
 		free(line);
 		p += n + 1;
@@ -361,7 +363,7 @@ title_feed_or_last_line(const struct table *t)
  * something; not if it has a unit, or one follows at `next`, or it is a range
  * of sizes. */
 static bool
-is_counting_number(const char *word, size_t n, const char *next)
+is_unitless_number(const char *word, size_t n, const char *next)
 {
 	size_t digits = 0, more;
 	while (digits < n && strchr("0123456789.", word[digits]) != NULL)
@@ -371,7 +373,7 @@ is_counting_number(const char *word, size_t n, const char *next)
 	FREED char *tail = xstrndup(word + digits, n - digits);
 	bool range = (tail[0] == '/' || tail[0] == '-') &&
 		     strspn(tail + 1, "0123456789.,") == strlen(tail) - 1;
-	lexicon_meanings(tail, &more);
+	lexicon_text_meanings(tail, &more);
 	bool unit =
 	    tail[0] != '\0' && strpbrk(tail, "0123456789") == NULL && more == 0;
 	size_t follows = strcspn(next, " ,;:()[]@\n");
@@ -385,26 +387,26 @@ is_counting_number(const char *word, size_t n, const char *next)
 /* True if a word is a name: it is unknown, or has a number that is not a
  * measurement. */
 static bool
-is_name_word(const char *word, size_t n, const char *next)
+is_word_a_name(const char *word, size_t n, const char *next)
 {
 	FREED char *copy = xstrndup(word, n);
 	size_t unknown;
-	lexicon_meanings(copy, &unknown);
+	lexicon_text_meanings(copy, &unknown);
 	bool letters = strpbrk(copy, "0123456789") == NULL;
 	bool own = !letters && strspn(copy, "0123456789") == 0;
 	return letters ? unknown > 0 && n > 1
-		       : own || is_counting_number(word, n, next);
+		       : own || is_unitless_number(word, n, next);
 }
 
 /* True if text a contains a name that is not a word of b.  Both are folded. */
 static bool
-has_name_not_in(const char *a, const char *b)
+has_name_absent_from_other(const char *a, const char *b)
 {
 	static const char ENDS[] = " ,;:()[]@\n";
 	for (const char *p = a; *p != '\0';) {
 		size_t n = strcspn(p, ENDS);
 		const char *next = p + n + strspn(p + n, ENDS);
-		bool found = n == 0 || !is_name_word(p, n, next);
+		bool found = n == 0 || !is_word_a_name(p, n, next);
 		for (const char *q = b; *q != '\0' && !found;) {
 			size_t m = strcspn(q, ENDS);
 			found = m == n && strncmp(p, q, n) == 0;
@@ -422,13 +424,14 @@ title_names_differ(const char *a, const char *b)
 {
 	FREED char *one = heading_without_speeds(a),
 		   *other = heading_without_speeds(b);
-	return has_name_not_in(one, other) && has_name_not_in(other, one);
+	return has_name_absent_from_other(one, other) &&
+	       has_name_absent_from_other(other, one);
 }
 
 /* Returns as many of the last lines of a title as another title has.  The lines
  * above the first table may also include some that are about all tables. */
 static const char *
-last_title_lines_like(const char *title, const char *other)
+title_tail_as_long_as_other(const char *title, const char *other)
 {
 	size_t n = 1;
 	for (const char *p = other; (p = strchr(p, '\n')) != NULL; p++)
@@ -442,14 +445,14 @@ last_title_lines_like(const char *title, const char *other)
 bool
 title_differs_only_in_speed(const struct table *a, const struct table *b)
 {
-	FREED char *one =
-	    heading_without_speeds(last_title_lines_like(a->title, b->title));
+	FREED char *one = heading_without_speeds(
+	    title_tail_as_long_as_other(a->title, b->title));
 	FREED char *other = heading_without_speeds(b->title);
 	return strcmp(one, other) == 0;
 }
 
 bool
-title_tells_limits_or_mean(const struct table *t)
+title_mentions_limits_or_mean(const struct table *t)
 {
 	return (heading_parse(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
 }
@@ -462,7 +465,7 @@ has_one_product_with_speed(const struct table *t, const struct column *c)
 	struct head head = heading_parse(t->title);
 	bool speed = heading_has_speed(&head) || c->speed > 0 || c->rpm > 0;
 	return c->role == PRODUCT && !c->said.several && speed &&
-	       !head.several && !title_tells_limits_or_mean(t);
+	       !head.several && !title_mentions_limits_or_mean(t);
 }
 
 /* True if the product of table k has the same title as the products before it,
@@ -487,7 +490,7 @@ is_same_title_other_speed(
 /* True if there are two tables, one with the feed and the other with all
  * products, and no name in their titles contradicts that. */
 static bool
-are_feed_and_products(
+is_pair_of_feed_and_products(
     struct table *const *table, size_t n, const struct columns *all)
 {
 	for (size_t k = 0; k < 2 && n == 2; k++) {
@@ -497,8 +500,8 @@ are_feed_and_products(
 		    site_column_samples_of_table(all, table[1 - k]);
 		if (feed != NULL && feed->role == FEED && !(feed->speed > 0) &&
 		    other.products && !other.open)
-			return !title_tells_limits_or_mean(table[0]) &&
-			       !title_tells_limits_or_mean(table[1]) &&
+			return !title_mentions_limits_or_mean(table[0]) &&
+			       !title_mentions_limits_or_mean(table[1]) &&
 			       !title_names_differ(
 				   table[0]->title, table[1]->title);
 	}
@@ -509,7 +512,7 @@ bool
 titles_are_speed_series(
     struct table *const *table, size_t n, const struct columns *all, bool parts)
 {
-	if (are_feed_and_products(table, n, all))
+	if (is_pair_of_feed_and_products(table, n, all))
 		return true;
 	const struct table *feed = NULL;
 	for (size_t k = 0; k < n; k++) {
@@ -526,7 +529,7 @@ titles_are_speed_series(
 	}
 	if (feed == NULL)
 		return parts;
-	if (title_tells_limits_or_mean(feed))
+	if (title_mentions_limits_or_mean(feed))
 		return false;
 	FREED char *line = title_feed_or_last_line(feed);
 	bool one = true;
@@ -539,7 +542,8 @@ titles_are_speed_series(
 /* True if the number after a word's letters is the speed of sample c, as in
  * P72. */
 static bool
-ends_with_speed(const char *word, size_t letters, const struct column *c)
+does_word_end_with_speed(
+    const char *word, size_t letters, const struct column *c)
 {
 	char *end;
 	double number = strtod(word + letters, &end);
@@ -550,7 +554,7 @@ ends_with_speed(const char *word, size_t letters, const struct column *c)
  * dates, the number after "test", and default names of sheets.  c: the product
  * of the test.  The caller frees it. */
 static char *
-name_of_test(const char *text, const struct column *c)
+strip_text_to_test_run_name(const char *text, const struct column *c)
 {
 	static const char *const COUNTED[] = {"ark", "blad", "feuil", "hoja",
 	    "prov", "run", "sheet", "tabelle", "test", "trial", "versuch"};
@@ -568,7 +572,8 @@ name_of_test(const char *text, const struct column *c)
 			named =
 			    named || (strlen(COUNTED[i]) == letters && n > 0 &&
 					 strncmp(p, COUNTED[i], letters) == 0);
-		size_t kept = ends_with_speed(p, letters, c) ? letters : n;
+		size_t kept =
+		    does_word_end_with_speed(p, letters, c) ? letters : n;
 		if (kept > 0 && !date && !named && !(number && counts))
 			xappend_to_list(&name, " ", "%.*s", (int)kept, p);
 		counts = n > 0 ? named : counts;
@@ -581,14 +586,15 @@ static bool
 has_same_test_name(const char *a, const struct column *first, const char *b,
     const struct column *c)
 {
-	FREED char *one = name_of_test(a, first), *other = name_of_test(b, c);
+	FREED char *one = strip_text_to_test_run_name(a, first),
+		   *other = strip_text_to_test_run_name(b, c);
 	return strcmp(one, other) == 0;
 }
 
 /* True if two sheets belong to one series of tests: their names are days, or
  * differ only as names of tests do. */
 static bool
-has_same_sheet_name(const struct sheet *a, const struct column *first,
+is_sheet_in_same_test_series(const struct sheet *a, const struct column *first,
     const struct sheet *b, const struct column *c)
 {
 	return has_same_test_name(a->name, first, b->name, c) ||
@@ -598,7 +604,7 @@ has_same_sheet_name(const struct sheet *a, const struct column *first,
 
 /* Returns the product of a table that has one product and one feed, or NULL. */
 static const struct column *
-product_of_one_test_table(const struct columns *all, const struct table *t)
+only_product_column_of_table(const struct columns *all, const struct table *t)
 {
 	struct table_samples s = site_column_samples_of_table(all, t);
 	bool test =
@@ -612,19 +618,20 @@ titles_are_separate_tests(
 {
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k], *first = table[0];
-		const struct column *c = product_of_one_test_table(all, t);
+		const struct column *c = only_product_column_of_table(all, t);
 		const struct column *one =
-		    product_of_one_test_table(all, first);
+		    only_product_column_of_table(all, first);
 		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
-		    title_tells_limits_or_mean(t) ||
-		    !has_same_sheet_name(first->sheet, one, t->sheet, c) ||
+		    title_mentions_limits_or_mean(t) ||
+		    !is_sheet_in_same_test_series(
+			first->sheet, one, t->sheet, c) ||
 		    !has_same_test_name(
-			last_title_lines_like(first->title, t->title), one,
-			t->title, c))
+			title_tail_as_long_as_other(first->title, t->title),
+			one, t->title, c))
 			return false;
 		for (size_t i = 0; i < k; i++) {
 			const struct column *other =
-			    product_of_one_test_table(all, table[i]);
+			    only_product_column_of_table(all, table[i]);
 			if (c->speed == other->speed && c->rpm == other->rpm)
 				return false;
 		}

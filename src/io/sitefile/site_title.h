@@ -8,11 +8,11 @@
 /* Moves what lines outside the tables say of single samples, such as "S2:
  * product at 65 m/s", into the headings of these samples (here S2), and takes
  * the lines out of the layout. */
-void title_apply_sample_keys(struct layout *layout);
+void title_move_lines_to_headings(struct layout *layout);
 
 /* Returns the table that a line stands above, and below all earlier tables;
  * NULL if there is none. */
-const struct table *title_table_below(
+const struct table *title_find_table_below_line(
     const struct layout *layout, const struct row *row);
 
 /* Returns the first day, "2026-05-03", stated in the lines between a table and
@@ -30,7 +30,7 @@ bool title_has_speed_per_table(const struct layout *layout);
 /* Returns the meanings of the words around a table (its title, the name of its
  * sheet or of the file at path) that tell feed from product.  Sets speed and
  * rpm of *near if the title states them. */
-uint64_t title_words_and_speed(const struct layout *layout, struct table *t,
+uint64_t title_read_role_and_speed(const struct layout *layout, struct table *t,
     const char *path, struct surroundings *near);
 
 /* True if two titles contain different names of machines, days and the like:
@@ -43,7 +43,7 @@ bool title_differs_only_in_speed(const struct table *a, const struct table *b);
 
 /* True if a table's title mentions limits or a mean, so that its numbers are
  * not samples. */
-bool title_tells_limits_or_mean(const struct table *t);
+bool title_mentions_limits_or_mean(const struct table *t);
 
 /* Returns the line of the table's title that mentions the feed, or its last
  * line.  The caller frees it. */

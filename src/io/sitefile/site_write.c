@@ -58,9 +58,9 @@ fraction_in_column_unit(const struct curve *c, double fraction)
 static void
 write_key_and_value(const char *key, const char *value, FILE *out)
 {
-	text_write_sheet_cell(key, ',', out);
+	text_write_csv_cell(key, ',', out);
 	fputc(',', out);
-	text_write_sheet_cell(value, ',', out);
+	text_write_csv_cell(value, ',', out);
 	fputc('\n', out);
 }
 
@@ -79,13 +79,13 @@ list_runs_lacking_feed(const struct site *site)
 }
 
 static void
-write_lines_above_table(const struct site *site, FILE *out)
+write_site_keys_above_table(const struct site *site, FILE *out)
 {
 	char top[32] = "", rotor[32] = "";
 	if (site->top_size > 0)
-		text_shortest_exact_number(units_mm(site->top_size), top);
+		text_shortest_exact_number(units_m_to_mm(site->top_size), top);
 	if (site->rotor > 0)
-		text_shortest_exact_number(units_mm(site->rotor), rotor);
+		text_shortest_exact_number(units_m_to_mm(site->rotor), rotor);
 	FREED char *lacking = list_runs_lacking_feed(site);
 	const char *const line[][2] = {{"site", site->name},
 	    {"rock", site->rock}, {"top_size_mm", top},
@@ -139,13 +139,13 @@ list_curves_to_write(const struct site *site, struct curve *curve)
 
 /* Returns the coarsest sieve, mm, that is not yet written, or 0. */
 static double
-next_size_to_write(const struct curve *curve, size_t n)
+coarsest_unwritten_sieve(const struct curve *curve, size_t n)
 {
 	double mm = 0;
 	for (size_t i = 0; i < n; i++) {
 		const struct curve *c = &curve[i];
 		if (c->next < c->psd->n)
-			mm = fmax(mm, units_mm(c->psd->size[c->next]));
+			mm = fmax(mm, units_m_to_mm(c->psd->size[c->next]));
 	}
 	return mm;
 }
@@ -160,7 +160,7 @@ write_sieve_row(struct curve *curve, size_t n, double mm, FILE *out)
 		fputc(',', out);
 		bool used = false;
 		for (; c->next < c->psd->n; c->next++) {
-			if (units_mm(c->psd->size[c->next]) < mm)
+			if (units_m_to_mm(c->psd->size[c->next]) < mm)
 				break;
 			if (!used && c->value != NULL)
 				fputs(text_shortest_exact_number(
@@ -180,7 +180,7 @@ site_write(const struct site *site, FILE *out)
 	char number[32];
 	FREED struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
 	size_t n = list_curves_to_write(site, curve);
-	write_lines_above_table(site, out);
+	write_site_keys_above_table(site, out);
 	fputs("size_mm", out);
 	for (size_t i = 0; i < n; i++) {
 		const struct curve *c = &curve[i];
@@ -191,7 +191,7 @@ site_write(const struct site *site, FILE *out)
 	}
 	fputc('\n', out);
 	size_t rows = 0;
-	for (double mm; (mm = next_size_to_write(curve, n)) > 0; rows++)
+	for (double mm; (mm = coarsest_unwritten_sieve(curve, n)) > 0; rows++)
 		write_sieve_row(curve, n, mm, out);
 	return rows;
 }

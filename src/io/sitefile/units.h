@@ -14,7 +14,7 @@
 /* Converts a size from m to mm.  A size from a sheet comes back as the number
  * in the sheet (0.063, not 0.063000000000000000001), exact to 1e-9 mm. */
 static inline double
-units_mm(double m)
+units_m_to_mm(double m)
 {
 	return isfinite(m) ? round(m * 1e12) / 1e9 : m;
 }
@@ -22,7 +22,7 @@ units_mm(double m)
 /* Converts a passing from 0..1 to per cent; exact for sheets with up to 12
  * decimals. */
 static inline double
-units_pct(double passing)
+units_fraction_to_pct(double passing)
 {
 	return isfinite(passing) ? round(passing * 1e14) / 1e12 : passing;
 }

@@ -52,13 +52,13 @@ static const struct taken {
     {"named", offsetof(struct site, named)}};
 
 static char **
-how_read_field_of_site(struct site *site, const struct taken *taken)
+field_on_how_site_was_read(struct site *site, const struct taken *taken)
 {
 	return (char **)(void *)((char *)site + taken->offset);
 }
 
 static double
-fit_record_item_number(
+fit_record_value_as_double(
     const struct fit_record *b, const struct item *item, size_t i)
 {
 	const char *at = (const char *)b + item->offset;
@@ -69,7 +69,7 @@ fit_record_item_number(
 }
 
 static bool
-fit_record_put_item_number(
+fit_record_set_item_number(
     struct fit_record *b, const struct item *item, size_t i, double value)
 {
 	char *at = (char *)b + item->offset;
@@ -94,7 +94,7 @@ write_fit_line(const struct fit_record *b, FILE *out)
 		for (size_t i = 0; i < ITEMS[k].n; i++)
 			fprintf(out, "%s%s", i > 0 ? "," : "",
 			    text_shortest_exact_number(
-				fit_record_item_number(b, &ITEMS[k], i),
+				fit_record_value_as_double(b, &ITEMS[k], i),
 				number));
 		fputc(' ', out);
 	}
@@ -138,7 +138,8 @@ fit_record_to_line(const struct fit_record *b)
 	FILE *out = text_open_memory(&text, &n);
 	write_fit_line(b, out);
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		const char *said = *how_read_field_of_site(b->then, &TAKEN[k]);
+		const char *said =
+		    *field_on_how_site_was_read(b->then, &TAKEN[k]);
 		if (said[0] != '\0')
 			fprintf(out, "%s=%s\n", TAKEN[k].name, said);
 	}
@@ -155,7 +156,7 @@ fit_record_to_line(const struct fit_record *b)
 /* Reads the numbers of "name=1,2,3".  Names from a later version are
  * ignored. */
 static bool
-parse_named_numbers(struct fit_record *b, const char *name, char *list)
+parse_fit_record_numbers(struct fit_record *b, const char *name, char *list)
 {
 	size_t k = 0, i = 0;
 	while (k < ARRAY_LEN(ITEMS) && strcmp(ITEMS[k].name, name) != 0)
@@ -164,7 +165,7 @@ parse_named_numbers(struct fit_record *b, const char *name, char *list)
 	for (; k < ARRAY_LEN(ITEMS) && word != NULL; i++) {
 		double value;
 		if (i == ITEMS[k].n || !text_parse_number(word, &value) ||
-		    !fit_record_put_item_number(b, &ITEMS[k], i, value))
+		    !fit_record_set_item_number(b, &ITEMS[k], i, value))
 			return false;
 		word = strtok_r(NULL, ",", &next);
 	}
@@ -174,7 +175,7 @@ parse_named_numbers(struct fit_record *b, const char *name, char *list)
 /* Reads the line of the fit.  *train gets the text after train=, within the
  * line. */
 static bool
-read_fit_line(struct fit_record *b, char *line, const char **train)
+parse_stored_fit_line(struct fit_record *b, char *line, const char **train)
 {
 	char *next = NULL;
 	for (char *word = strtok_r(line, " ", &next); word != NULL;
@@ -185,27 +186,27 @@ read_fit_line(struct fit_record *b, char *line, const char **train)
 		*value++ = '\0';
 		if (strcmp(word, "train") == 0)
 			*train = value;
-		else if (!parse_named_numbers(b, word, value))
+		else if (!parse_fit_record_numbers(b, word, value))
 			return false;
 	}
 	return *train != NULL;
 }
 
 static struct site *
-fit_record_read_site(const char *text)
+fit_record_parse_site(const char *text)
 {
 	const char *path = "";
 	const struct site_request request = {
 	    .n = 1, .path = &path, .text = text};
 	struct error_list faults = {0};
-	struct site *site = site_read_request(&request, &faults, NULL);
+	struct site *site = site_read_with_options(&request, &faults, NULL);
 	return site;
 }
 
 /* Ends the text at the next empty line.  Returns the text after that, or
  * NULL. */
 static char *
-cut_at_empty_line(char *text)
+split_at_empty_line(char *text)
 {
 	char *end = strstr(text, "\n\n");
 	if (end == NULL)
@@ -215,15 +216,16 @@ cut_at_empty_line(char *text)
 }
 
 static void
-parse_how_read_lines(struct site *site, const char *lines)
+parse_lines_how_site_was_read(struct site *site, const char *lines)
 {
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		char **said = how_read_field_of_site(site, &TAKEN[k]);
+		char **said = field_on_how_site_was_read(site, &TAKEN[k]);
 		FREED char *begin = xasprintf("%s=", TAKEN[k].name);
 		for (const char *line = lines; *line != '\0';) {
 			size_t n = strcspn(line, "\n"), head = strlen(begin);
 			if (strncmp(line, begin, head) == 0)
-				xreplace(said, xstrndup(line + head, n - head));
+				xfree_and_set(
+				    said, xstrndup(line + head, n - head));
 			line += n + (line[n] == '\n');
 		}
 	}
@@ -278,22 +280,22 @@ fit_record_is_possible(const struct fit_record *b)
 }
 
 static bool
-fit_record_read_text(struct fit_record *b, char *text)
+fit_record_parse_text(struct fit_record *b, char *text)
 {
 	const char *train = NULL;
-	char *sheet = cut_at_empty_line(text), *said = strchr(text, '\n');
-	char *later = sheet != NULL ? cut_at_empty_line(sheet) : NULL;
+	char *sheet = split_at_empty_line(text), *said = strchr(text, '\n');
+	char *later = sheet != NULL ? split_at_empty_line(sheet) : NULL;
 	if (sheet == NULL || said == NULL)
 		return false;
 	*said++ = '\0';
-	b->then = fit_record_read_site(sheet);
-	b->now = later != NULL ? fit_record_read_site(later) : NULL;
-	if (!read_fit_line(b, text, &train) || b->then == NULL ||
+	b->then = fit_record_parse_site(sheet);
+	b->now = later != NULL ? fit_record_parse_site(later) : NULL;
+	if (!parse_stored_fit_line(b, text, &train) || b->then == NULL ||
 	    (later != NULL && b->now == NULL) || !parse_training_runs(b, train))
 		return false;
-	parse_how_read_lines(b->then, said);
+	parse_lines_how_site_was_read(b->then, said);
 	if (b->now != NULL)
-		parse_how_read_lines(b->now, said);
+		parse_lines_how_site_was_read(b->now, said);
 	return true;
 }
 
@@ -305,7 +307,7 @@ fit_record_from_material(
 	if (m->basis[0] == '\0')
 		return false;
 	FREED char *text = unescape_line_ends(m->basis);
-	bool good = fit_record_read_text(b, text);
+	bool good = fit_record_parse_text(b, text);
 	if (good)
 		fit_record_copy_from_material(b, m);
 	return (good && fit_record_is_possible(b)) ||

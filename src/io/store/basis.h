@@ -9,7 +9,7 @@
 
 /* fit: the calibration, within bounds.  then: the site as it was calibrated, on
  * the runs marked in train [n_run]; now: the site with runs added since, or
- * NULL.  weight: see calibration_sum_of_weights. */
+ * NULL.  weight: see calibration_sum_squared_weights. */
 struct fit_record {
 	struct fit fit;
 	struct bounds bounds;

@@ -56,7 +56,7 @@ const struct field FIELDS[FIELD_COUNT] = {
 };
 
 static void *
-field_value_in_material(
+material_field_pointer(
     const struct material *m, const struct field *f, enum field_kind kind)
 {
 	assert(f->kind == kind);
@@ -65,25 +65,25 @@ field_value_in_material(
 }
 
 char **
-material_text_of_field(const struct material *m, const struct field *f)
+material_text_field_pointer(const struct material *m, const struct field *f)
 {
-	return field_value_in_material(m, f, FIELD_TEXT);
+	return material_field_pointer(m, f, FIELD_TEXT);
 }
 
 double *
-material_number_of_field(const struct material *m, const struct field *f)
+material_number_field_pointer(const struct material *m, const struct field *f)
 {
-	return field_value_in_material(m, f, FIELD_NUMBER);
+	return material_field_pointer(m, f, FIELD_NUMBER);
 }
 
 int64_t *
-material_integer_of_field(const struct material *m, const struct field *f)
+material_integer_field_pointer(const struct material *m, const struct field *f)
 {
-	return field_value_in_material(m, f, FIELD_WHOLE);
+	return material_field_pointer(m, f, FIELD_WHOLE);
 }
 
 struct material
-material_empty(void)
+material_make_empty(void)
 {
 	struct material m = {0};
 	for (size_t i = 0; i < FIELD_COUNT; i++)
@@ -96,7 +96,7 @@ material_free(struct material *m)
 {
 	for (size_t i = 0; i < FIELD_COUNT; i++)
 		if (FIELDS[i].kind == FIELD_TEXT)
-			free(*material_text_of_field(m, &FIELDS[i]));
+			free(*material_text_field_pointer(m, &FIELDS[i]));
 	free(m->feed_source);
 }
 
@@ -120,7 +120,7 @@ const struct material *
 material_find(const struct material_list *list, const char *name)
 {
 	for (size_t i = 0; i < list->n; i++)
-		if (text_same_folded(list->item[i].name, name))
+		if (text_is_same_folded(list->item[i].name, name))
 			return &list->item[i];
 	return NULL;
 }
@@ -147,7 +147,7 @@ params_to_text(const struct params *p)
 
 /* Returns the number after "name=" in a text of several such pairs, or NAN. */
 static double
-find_param_in_text(const char *text, const char *name)
+parse_param_in_text(const char *text, const char *name)
 {
 	size_t n = strlen(name);
 	while (*text != '\0') {
@@ -168,7 +168,7 @@ set_params_from_text(struct params *p, const char *text)
 {
 	memset(p->at, 0, sizeof p->at);
 	for (size_t j = 0; j < count_model_params(p); j++)
-		p->at[j] = find_param_in_text(
+		p->at[j] = parse_param_in_text(
 		    text, breakage_model_of_params(p)->parameter[j].name);
 }
 
@@ -179,14 +179,14 @@ material_set_field(struct material *m, const struct field *f, const char *text)
 	double number;
 	switch (f->kind) {
 	case FIELD_TEXT:
-		xreplace(material_text_of_field(m, f), xstrdup(text));
+		xfree_and_set(material_text_field_pointer(m, f), xstrdup(text));
 		break;
 	case FIELD_NUMBER:
-		*material_number_of_field(m, f) =
+		*material_number_field_pointer(m, f) =
 		    text_parse_number(text, &number) ? number : (double)NAN;
 		break;
 	case FIELD_WHOLE:
-		*material_integer_of_field(m, f) =
+		*material_integer_field_pointer(m, f) =
 		    text_parse_whole_number(text, &whole) && whole <= INT64_MAX
 			? (int64_t)whole
 			: -1;
@@ -212,14 +212,14 @@ material_field_to_text(const struct material *m, const struct field *f)
 	if (f->kind == FIELD_PARAMS)
 		return params_to_text(params);
 	if (f->kind == FIELD_TEXT)
-		return xstrdup(*material_text_of_field(m, f));
+		return xstrdup(*material_text_field_pointer(m, f));
 	if (f->kind == FIELD_NUMBER)
 		return xstrdup(
-		    isfinite(*material_number_of_field(m, f))
+		    isfinite(*material_number_field_pointer(m, f))
 			? text_shortest_exact_number(
-			      *material_number_of_field(m, f), number)
+			      *material_number_field_pointer(m, f), number)
 			: "");
-	int64_t whole = *material_integer_of_field(m, f);
+	int64_t whole = *material_integer_field_pointer(m, f);
 	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
 }
 
@@ -248,7 +248,7 @@ material_visit_fields(
 /* Adds a field to the digest.  Omits empty fields and the name of the paper's
  * model, so that a row keeps its digest when a later schema adds a column. */
 static void
-digest_field(void *data, const char *name, const char *text)
+add_field_to_digest(void *data, const char *name, const char *text)
 {
 	uint64_t *h = data;
 	if (text[0] == '\0' || strcmp(text, BREAKAGES[0]->name) == 0)
@@ -258,10 +258,10 @@ digest_field(void *data, const char *name, const char *text)
 }
 
 uint64_t
-material_make_digest(const struct material *m)
+material_compute_digest(const struct material *m)
 {
 	uint64_t h = TEXT_DIGEST_START;
-	material_visit_fields(m, digest_field, &h);
+	material_visit_fields(m, add_field_to_digest, &h);
 	return h;
 }
 
@@ -304,7 +304,7 @@ index_of_impossible_param(const struct params *p)
 }
 
 static char *
-list_model_names(void)
+model_names_text(void)
 {
 	char *names = xstrdup(tr("one of:"));
 	for (size_t i = 0; i < breakage_count_models(); i++)
@@ -317,7 +317,7 @@ material_valid_values_text(const struct material *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_MODEL)
-		return list_model_names();
+		return model_names_text();
 	if (f->kind == FIELD_PARAMS &&
 	    index_of_impossible_param(p) < count_model_params(p)) {
 		const struct param_info *info =
@@ -348,7 +348,7 @@ material_faulty_value_text(const struct material *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_NUMBER)
-		return xasprintf("%g", *material_number_of_field(m, f));
+		return xasprintf("%g", *material_number_field_pointer(m, f));
 	if (f->kind == FIELD_PARAMS &&
 	    index_of_impossible_param(p) < count_model_params(p))
 		return xasprintf("%g", p->at[index_of_impossible_param(p)]);
@@ -365,20 +365,20 @@ material_is_field_valid(const struct material *m, const struct field *f)
 		return index_of_impossible_param(&m->params) ==
 		       count_model_params(&m->params);
 	if (f->kind == FIELD_WHOLE)
-		return *material_integer_of_field(m, f) >= -1;
+		return *material_integer_field_pointer(m, f) >= -1;
 	if (f->kind == FIELD_NUMBER) {
-		double value = *material_number_of_field(m, f);
+		double value = *material_number_field_pointer(m, f);
 		return isnan(value) ? !f->needed
 				    : value >= f->least && value <= f->most;
 	}
-	const char *text = *material_text_of_field(m, f);
+	const char *text = *material_text_field_pointer(m, f);
 	if (text[0] == '\0')
 		return !f->needed;
 	if (f->choices != NULL)
 		return text_find_word_in_list(f->choices, text, &choice);
 	if (f == &FIELDS[FIELD_OF_NAME])
 		return material_check_name(text, NULL);
-	return material_is_printable_line(text) &&
+	return material_is_text_printable(text) &&
 	       (strcmp(f->name, "date") != 0 || datetime_is_iso_date(text));
 }
 
@@ -393,7 +393,7 @@ material_check_name(const char *name, struct error *error)
 		    "3, which does not change\nchoose another name",
 		    TABLE3);
 	if (name[0] != '\0' && name[0] != '#' && strlen(name) <= MOST_NAME &&
-	    trimmed && material_is_printable_line(name) &&
+	    trimmed && material_is_text_printable(name) &&
 	    strchr(name, '"') == NULL)
 		return true;
 	return error_set(error, ERROR_USAGE,
@@ -409,7 +409,7 @@ material_is_table3(const struct material *m)
 }
 
 bool
-material_is_printable_line(const char *text)
+material_is_text_printable(const char *text)
 {
 	const char *p = text;
 	while (*p != '\0' && !iscntrl((unsigned char)*p))
@@ -425,12 +425,12 @@ material_read_table3_row(
 {
 	enum { ROCK, SITE, TOP, F_MAT, FEED_SOURCE, E0_MIN, ALPHA, CELLS };
 	if (row->n != CELLS)
-		return sheet_fault(sheet, row->cell[0],
+		return sheet_report_fault(sheet, row->cell[0],
 		    "expected %d cells, got %zu\n"
 		    "use the columns of data/table3.csv; read a site file with "
 		    "load",
 		    (int)CELLS, row->n);
-	struct material m = material_empty();
+	struct material m = material_make_empty();
 	/* for beta, which is not in the table */
 	m.params = params_start_values(0);
 	const struct {
@@ -447,10 +447,11 @@ material_read_table3_row(
 		    tr("a number above 0, up to %g,"), column[i].most);
 		if (number_read_cell(sheet, row->cell[i], wanted, number) &&
 		    !(*number > 0 && *number <= column[i].most))
-			sheet_fault_expected(sheet, row->cell[i], wanted, NULL);
+			sheet_report_expected(
+			    sheet, row->cell[i], wanted, NULL);
 	}
-	xreplace(&m.rock, xstrdup(row->cell[ROCK].text));
-	xreplace(&m.site, xstrdup(row->cell[SITE].text));
+	xfree_and_set(&m.rock, xstrdup(row->cell[ROCK].text));
+	xfree_and_set(&m.site, xstrdup(row->cell[SITE].text));
 	m.feed_source = xstrdup(row->cell[FEED_SOURCE].text);
 	material_list_add(list, m);
 	return true;
@@ -458,20 +459,20 @@ material_read_table3_row(
 
 /* Reads the rows of a text, and frees it.  Returns false after a fault. */
 static bool
-read_materials_in_text(const char *path, char *text, struct material_list *list,
+parse_table3_text(const char *path, char *text, struct material_list *list,
     struct error_list *errors)
 {
 	if (text == NULL)
 		return false;
 	const struct sheet_limits most = {.rows = 1000};
 	struct sheet *sheet = sheet_new_from_text(path, text, most, errors);
-	number_choose_decimal_sign(sheet);
+	number_detect_decimal_sign(sheet);
 	size_t i = 1; /* after the heading */
 	while (i < sheet->n_row &&
 	       material_read_table3_row(sheet, &sheet->row[i], list))
 		i++;
 	if (i == 1 && sheet->n_fault == 0)
-		sheet_fault(sheet, (struct cell){0},
+		sheet_report_fault(sheet, (struct cell){0},
 		    "expected rows of materials, got none\n"
 		    "data/table3.csv shows their form");
 	bool good = sheet->n_fault == 0;
@@ -484,14 +485,14 @@ bool
 material_read_table3_file(
     const char *path, struct material_list *list, struct error_list *errors)
 {
-	return read_materials_in_text(
+	return parse_table3_text(
 	    path, textfile_read(path, TEXTFILE_SHEET, errors), list, errors);
 }
 
 /* Returns the name of row i: that of its site; with the top size if several
  * sites have that name; and with a number if several also have that size. */
 static char *
-material_table3_name(const struct material_list *rows,
+material_make_table3_name(const struct material_list *rows,
     const struct material_list *list, size_t i)
 {
 	const struct material *row = &rows->item[i];
@@ -499,40 +500,41 @@ material_table3_name(const struct material_list *rows,
 	bool shared = false;
 	for (size_t j = 0; j < rows->n; j++)
 		shared =
-		    shared ||
-		    (j != i && text_same_folded(rows->item[j].site, row->site));
+		    shared || (j != i && text_is_same_folded(
+					     rows->item[j].site, row->site));
 	FREED char *stem =
 	    shared ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
 		   : xasprintf("%s%s", TABLE3, slug);
 	char *name = xstrdup(stem);
 	for (int n = 2; material_find(list, name) != NULL; n++)
-		xreplace(&name, xasprintf("%s/%d", stem, n));
+		xfree_and_set(&name, xasprintf("%s/%d", stem, n));
 	return name;
 }
 
 void
-material_add_table3(struct material_list *list)
+material_add_table3_to_list(struct material_list *list)
 {
 	struct material_list rows = {0};
 	struct error_list none = {0};
-	bool good = read_materials_in_text(
-	    "Table 3", textfile_join_lines(TABLE3_TEXT), &rows, &none);
+	bool good = parse_table3_text(
+	    "Table 3", textfile_join_built_in_lines(TABLE3_TEXT), &rows, &none);
 	/* The table is part of the program, and tests read all of it. */
 	assert(good);
 	(void)good;
 	for (size_t i = 0; i < rows.n; i++) {
 		struct material m = rows.item[i];
-		xreplace(&m.name, material_table3_name(&rows, list, i));
-		xreplace(&m.machine, xstrdup("Metso Barmac 5100 SE"));
-		xreplace(&m.provenance,
+		xfree_and_set(
+		    &m.name, material_make_table3_name(&rows, list, i));
+		xfree_and_set(&m.machine, xstrdup("Metso Barmac 5100 SE"));
+		xfree_and_set(&m.provenance,
 		    xasprintf("measured by the paper's authors and not public; "
 			      "Table 3 of Grunditz et al. (2021), %s; beta is "
 			      "not printed: default",
 			m.feed_source));
-		xreplace(&m.origin, xstrdup("table3"));
-		xreplace(&m.method, xstrdup("continuous"));
-		xreplace(&m.appearance, xstrdup("ratio"));
-		xreplace(&m.train_mps, xstrdup("69,79"));
+		xfree_and_set(&m.origin, xstrdup("table3"));
+		xfree_and_set(&m.method, xstrdup("continuous"));
+		xfree_and_set(&m.appearance, xstrdup("ratio"));
+		xfree_and_set(&m.train_mps, xstrdup("69,79"));
 		m.k = 1;
 		material_list_add(list, m);
 	}

@@ -56,7 +56,7 @@ enum { FIELD_COUNT = 25, FIELD_OF_NAME = 0 };
 extern const struct field FIELDS[FIELD_COUNT];
 
 /* Returns a material in which no field is known. */
-struct material material_empty(void);
+struct material material_make_empty(void);
 void material_free(struct material *m);
 void material_list_free(struct material_list *list);
 
@@ -68,10 +68,11 @@ const struct material *material_find(
     const struct material_list *list, const char *name);
 
 /* Return the place of a field's value in m, by the kind of the field. */
-char **material_text_of_field(const struct material *m, const struct field *f);
-double *material_number_of_field(
+char **material_text_field_pointer(
     const struct material *m, const struct field *f);
-int64_t *material_integer_of_field(
+double *material_number_field_pointer(
+    const struct material *m, const struct field *f);
+int64_t *material_integer_field_pointer(
     const struct material *m, const struct field *f);
 /* Returns a field of any kind as a text that reads back as the same value, or
  * "" if not known.  The caller frees it. */
@@ -92,7 +93,7 @@ void material_visit_fields(
 
 /* Returns a digest of all known fields of m, with which the store detects rows
  * damaged on disk. */
-uint64_t material_make_digest(const struct material *m);
+uint64_t material_compute_digest(const struct material *m);
 
 /* Returns the material's method, appearance and k as settings. */
 struct model_settings material_model_settings(const struct material *m);
@@ -119,7 +120,7 @@ bool material_is_table3(const struct material *m);
 bool material_is_table3_name(const char *name);
 
 /* True if a text is one line of UTF-8 without control characters. */
-bool material_is_printable_line(const char *text);
+bool material_is_text_printable(const char *text);
 
 /* Adds the rows of a file such as data/table3.csv, whose columns are rock,
  * site, top_size_mm, f_mat, feed_source, E0_min and alpha, in this order.
@@ -131,6 +132,6 @@ bool material_read_table3_file(
 
 /* Adds the built-in rows of Table 3, named "table3/tierp", "table3/gavle/11.2",
  * "table3/gavle/11.2/2". */
-void material_add_table3(struct material_list *list);
+void material_add_table3_to_list(struct material_list *list);
 
 #endif

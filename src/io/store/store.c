@@ -25,7 +25,7 @@
 enum { WAIT_MS = 5000, PAUSE_MS = 20 };
 
 /* fold: the name without case and accents.  digest: that of the row, see
- * material_make_digest.  about: the program that made this schema. */
+ * material_compute_digest.  about: the program that made this schema. */
 const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "CREATE TABLE about (program TEXT NOT NULL);CREATE TABLE material ( fold "
     "TEXT PRIMARY KEY NOT NULL, digest TEXT NOT NULL, name TEXT NOT NULL, site "
@@ -89,7 +89,7 @@ short_escaped_name(const char *name)
 {
 	enum { MOST = 60 };
 	char *label = text_with_control_escaped(name);
-	label[text_bytes_within(label, MOST)] = '\0';
+	label[text_bytes_up_to_limit(label, MOST)] = '\0';
 	for (char *p = label; (p = strchr(p, '"')) != NULL;)
 		*p = '\'';
 	return label;
@@ -145,7 +145,7 @@ sql_column_text(sqlite3_stmt *stmt, int i)
 /* Returns SQLite's code for the latest failure; SQLITE_NOMEM if there is no
  * database at all. */
 static int
-sqlite_code(const struct store *store)
+sqlite_error_code(const struct store *store)
 {
 	return store->db != NULL ? sqlite3_errcode(store->db) & 0xFF
 				 : SQLITE_NOMEM;
@@ -155,7 +155,7 @@ sqlite_code(const struct store *store)
 static bool
 set_error_from_sqlite(const struct store *store, struct error *error)
 {
-	int code = sqlite_code(store);
+	int code = sqlite_error_code(store);
 	int reason = store->db != NULL ? sqlite3_system_errno(store->db) : 0;
 	for (size_t i = 0; i < ARRAY_LEN(PROBLEMS); i++) {
 		const struct problem *p = &PROBLEMS[i];
@@ -166,11 +166,11 @@ set_error_from_sqlite(const struct store *store, struct error *error)
 		 * little. */
 		bool why = reason != 0 && reason != ENOENT &&
 			   p->kind == ERROR_SYSTEM && code != SQLITE_BUSY;
-		return error_at(error, p->kind, store->path, 0, 0, "%s%s%s\n%s",
-		    tr(p->text), why ? ": " : "", why ? strerror(reason) : "",
-		    tr(p->hint));
+		return error_set_at(error, p->kind, store->path, 0, 0,
+		    "%s%s%s\n%s", tr(p->text), why ? ": " : "",
+		    why ? strerror(reason) : "", tr(p->hint));
 	}
-	return error_at(error, ERROR_SYSTEM, store->path, 0, 0,
+	return error_set_at(error, ERROR_SYSTEM, store->path, 0, 0,
 	    "the store failed: %s",
 	    store->db != NULL ? sqlite3_errmsg(store->db) : tr("no memory"));
 }
@@ -219,7 +219,8 @@ set_wal_mode(struct store *store, struct error *error)
 		if (mode != NULL &&
 		    (strcmp(mode, "wal") == 0 || strcmp(mode, "memory") == 0))
 			return true;
-		bool busy = mode == NULL && sqlite_code(store) == SQLITE_BUSY;
+		bool busy =
+		    mode == NULL && sqlite_error_code(store) == SQLITE_BUSY;
 		if (!busy || waited >= WAIT_MS)
 			return set_error_from_sqlite(store, error);
 		nanosleep(&pause, NULL);
@@ -228,7 +229,7 @@ set_wal_mode(struct store *store, struct error *error)
 
 /* Runs `change` as one transaction: all of it takes effect, or nothing. */
 static bool
-run_transaction(struct store *store,
+run_in_transaction(struct store *store,
     bool (*change)(struct store *, const void *of, struct error *),
     const void *of, struct error *error)
 {
@@ -276,7 +277,7 @@ check_database_integrity(struct store *store, struct error *error)
 	if (found == NULL)
 		return set_error_from_sqlite(store, error);
 	return strcmp(found, "ok") == 0 ||
-	       error_at(error, ERROR_DATA, store->path, 0, 0,
+	       error_set_at(error, ERROR_DATA, store->path, 0, 0,
 		   "the store is damaged: %.200s\n"
 		   "move the file away, and import the newest export into a "
 		   "new one",
@@ -288,7 +289,7 @@ refuse_newer_store(struct store *store, long version, struct error *error)
 {
 	FREED char *program =
 	    query_first_text(store, "SELECT program FROM about");
-	return error_at(error, ERROR_DATA, store->path, 0, 0,
+	return error_set_at(error, ERROR_DATA, store->path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
 	    "which reads schemas up to %d\n"
 	    "use that program, or another store with --store=PATH",
@@ -301,7 +302,7 @@ refuse_newer_store(struct store *store, long version, struct error *error)
 static bool
 check_database_version(struct store *store, long *version, struct error *error)
 {
-	long tables = sqlite_code(store) == SQLITE_OK
+	long tables = sqlite_error_code(store) == SQLITE_OK
 			  ? query_first_integer(
 				store, "SELECT count(*) FROM sqlite_master")
 			  : -1;
@@ -311,7 +312,7 @@ check_database_version(struct store *store, long *version, struct error *error)
 	*version = query_first_integer(store, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
 	if (!fresh && (application != SCHEMA_APPLICATION || *version <= 0))
-		return error_at(error, ERROR_DATA, store->path, 0, 0,
+		return error_set_at(error, ERROR_DATA, store->path, 0, 0,
 		    "expected a store of tipspeed, got a database of another "
 		    "program\n"
 		    "use another file with --store=PATH");
@@ -349,7 +350,7 @@ open_sqlite(struct store *store, const char *path, int flags)
  * in WAL mode only if it can write beside it; without a log of another program,
  * the file is complete and can be read as immutable. */
 static void
-open_in_closed_folder(struct store *store)
+open_store_in_read_only_folder(struct store *store)
 {
 	FREED char *uri = xstrdup("file:");
 	for (const char *p = store->path; *p != '\0'; p++)
@@ -367,23 +368,23 @@ static const char INDEX[] = "CREATE INDEX IF NOT EXISTS material_near ON "
  * write access.  Upgrades an older schema, all steps or none.  make: an empty
  * or missing file becomes a store. */
 static bool
-open_checked_database(
+open_and_check_database(
     struct store *store, bool make, long *version, struct error *error)
 {
 	FREED char *log = xasprintf("%s-wal", store->path);
 	open_sqlite(store, store->path,
 	    SQLITE_OPEN_READWRITE | (make ? SQLITE_OPEN_CREATE : 0));
 	bool ok = check_database_version(store, version, error);
-	int code = sqlite_code(store);
+	int code = sqlite_error_code(store);
 	if (!ok && !make && access(log, F_OK) != 0 &&
 	    (code == SQLITE_CANTOPEN || code == SQLITE_READONLY)) {
-		open_in_closed_folder(store);
+		open_store_in_read_only_folder(store);
 		ok = check_database_version(store, version, error);
 	}
 	bool stale = *version < STORE_SCHEMA && (make || *version > 0);
 	return ok &&
 	       (!stale ||
-		   run_transaction(store, migrate_schema, NULL, error)) &&
+		   run_in_transaction(store, migrate_schema, NULL, error)) &&
 	       (!make || (set_wal_mode(store, error) &&
 			     run_sql(store, INDEX, error)));
 }
@@ -432,7 +433,7 @@ store_is_sqlite_file(const char *path)
 }
 
 int64_t
-store_file_bytes(const struct store *store)
+store_file_size(const struct store *store)
 {
 	struct stat file;
 	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
@@ -445,7 +446,7 @@ make_folders_of_store(const char *path, struct error *error)
 	FREED char *closed = xdg_make_parent_folders(path);
 	if (closed == NULL)
 		return true;
-	error_at(error, ERROR_SYSTEM, closed, 0, 0,
+	error_set_at(error, ERROR_SYSTEM, closed, 0, 0,
 	    "cannot create the store's folder: %s\n"
 	    "check its permissions, or use another store: --store=PATH",
 	    strerror(errno));
@@ -479,13 +480,13 @@ store_open(struct store *store, bool make, struct error *error)
 	if (make && store->own_folder && !make_folders_of_store(path, error))
 		return false;
 	if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
-		return error_at(error, ERROR_SYSTEM, path, 0, 0,
+		return error_set_at(error, ERROR_SYSTEM, path, 0, 0,
 		    "the store cannot be opened: this is a folder, a pipe or a "
 		    "device\n"
 		    "use another with --store=PATH");
 	if (!make && access(path, F_OK) != 0)
 		return true;
-	bool ok = open_checked_database(store, make, &version, error);
+	bool ok = open_and_check_database(store, make, &version, error);
 	if (ok && (make || version > 0))
 		return true;
 	sqlite3_close(store->db);
@@ -496,7 +497,7 @@ store_open(struct store *store, bool make, struct error *error)
 /* Returns SQL in which all fields, or a ? for each, follow `before`: "SELECT
  * fold, digest, name, ..." or "INSERT ... VALUES (?, ?, ?, ...)". */
 static char *
-sql_listing_fields(const char *before, bool marks, const char *after)
+sql_with_all_fields(const char *before, bool marks, const char *after)
 {
 	char *sql = xstrdup(before);
 	for (size_t i = 0; i < FIELD_COUNT; i++)
@@ -508,7 +509,7 @@ sql_listing_fields(const char *before, bool marks, const char *after)
 static char *
 material_digest_text(const struct material *m)
 {
-	return xasprintf("%016" PRIx64, material_make_digest(m));
+	return xasprintf("%016" PRIx64, material_compute_digest(m));
 }
 
 /* Returns false with an error for a material that an import would not
@@ -534,8 +535,8 @@ check_material_fields(const struct material *m, struct error *error)
 /* Returns true if a row is unchanged since it was stored; else false with an
  * error.  A row is found by its folded name, which is stored too. */
 static bool
-is_row_unchanged(const struct material *m, const char *fold, const char *digest,
-    struct error *error)
+is_stored_material_intact(const struct material *m, const char *fold,
+    const char *digest, struct error *error)
 {
 	FREED char *of_name = text_fold_case_and_accents(m->name),
 		   *of_row = material_digest_text(m);
@@ -546,8 +547,8 @@ is_row_unchanged(const struct material *m, const char *fold, const char *digest,
 		    "the store is damaged: '%s' is not what was remembered",
 		    label);
 	if (!good)
-		error_hint(error, "run 'forget \"%s\"', then remember it again",
-		    label);
+		error_set_hint(error,
+		    "run 'forget \"%s\"', then remember it again", label);
 	return good;
 }
 
@@ -558,23 +559,23 @@ typedef bool take_row(const struct store *store, sqlite3_stmt *stmt, void *data,
 /* Adds the material of a row to a list.  Returns false if the row has changed
  * since it was stored. */
 static bool
-take_checked_material(const struct store *store, sqlite3_stmt *stmt, void *data,
-    struct error *error)
+add_material_of_intact_row(const struct store *store, sqlite3_stmt *stmt,
+    void *data, struct error *error)
 {
-	struct material m = material_empty();
+	struct material m = material_make_empty();
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		bool known = sqlite3_column_type(stmt, i + 2) != SQLITE_NULL;
 		if (f->kind == FIELD_NUMBER && known)
-			*material_number_of_field(&m, f) =
+			*material_number_field_pointer(&m, f) =
 			    sqlite3_column_double(stmt, i + 2);
 		else if (f->kind == FIELD_WHOLE && known)
-			*material_integer_of_field(&m, f) =
+			*material_integer_field_pointer(&m, f) =
 			    sqlite3_column_int64(stmt, i + 2);
 		else if (known)
 			material_set_field(&m, f, sql_column_text(stmt, i + 2));
 	}
-	if (is_row_unchanged(&m, sql_column_text(stmt, 0),
+	if (is_stored_material_intact(&m, sql_column_text(stmt, 0),
 		sql_column_text(stmt, 1), error)) {
 		material_list_add(data, m);
 		return true;
@@ -586,7 +587,7 @@ take_checked_material(const struct store *store, sqlite3_stmt *stmt, void *data,
 }
 
 static bool
-take_count(const struct store *store, sqlite3_stmt *stmt, void *data,
+read_count_from_row(const struct store *store, sqlite3_stmt *stmt, void *data,
     struct error *error)
 {
 	(void)store;
@@ -602,8 +603,8 @@ struct visitor {
 };
 
 static bool
-take_word(const struct store *store, sqlite3_stmt *stmt, void *data,
-    struct error *error)
+visit_first_column_text(const struct store *store, sqlite3_stmt *stmt,
+    void *data, struct error *error)
 {
 	const struct visitor *visitor = data;
 	(void)store;
@@ -613,7 +614,7 @@ take_word(const struct store *store, sqlite3_stmt *stmt, void *data,
 }
 
 static void
-bind_text(sqlite3_stmt *stmt, int i, const char *text)
+sql_bind_text(sqlite3_stmt *stmt, int i, const char *text)
 {
 	sqlite3_bind_text(stmt, i, text, -1, SQLITE_TRANSIENT);
 }
@@ -628,8 +629,8 @@ bind_query_values(sqlite3_stmt *stmt, const struct store_query *q)
 	    text_fold_case_and_accents(q->name != NULL ? q->name : "");
 	FREED char *rock =
 	    text_fold_case_and_accents(q->rock != NULL ? q->rock : "");
-	bind_text(stmt, 1, name);
-	bind_text(stmt, 2, rock);
+	sql_bind_text(stmt, 1, name);
+	sql_bind_text(stmt, 2, rock);
 	sqlite3_bind_double(stmt, 3, q->top_least);
 	sqlite3_bind_double(stmt, 4, q->top_most);
 	sqlite3_bind_double(stmt, 5, q->top);
@@ -641,8 +642,9 @@ bind_query_values(sqlite3_stmt *stmt, const struct store_query *q)
 /* Runs a statement and calls take for each row.  Without a file there are no
  * rows. */
 static bool
-visit_rows(struct store *store, const char *sql, const struct store_query *q,
-    take_row *take, void *data, struct error *error)
+visit_query_rows(struct store *store, const char *sql,
+    const struct store_query *q, take_row *take, void *data,
+    struct error *error)
 {
 	sqlite3_stmt *stmt = NULL;
 	int code = SQLITE_DONE;
@@ -665,7 +667,7 @@ visit_rows(struct store *store, const char *sql, const struct store_query *q,
 /* Returns the FROM and WHERE clauses of a query, whose values bind_query_values
  * binds.  The caller frees them. */
 static char *
-where_clause(const struct store_query *q)
+sql_selecting_materials(const struct store_query *q)
 {
 	/* Rows are selected by the index alone, so only those wanted are
 	 * read. */
@@ -701,11 +703,11 @@ bool
 store_find_materials(struct store *store, const struct store_query *query,
     struct material_list *list, struct error *error)
 {
-	FREED char *where = where_clause(query);
+	FREED char *where = sql_selecting_materials(query);
 	FREED char *sql =
-	    sql_listing_fields("SELECT fold, digest", false, where);
-	return visit_rows(
-	    store, sql, query, take_checked_material, list, error);
+	    sql_with_all_fields("SELECT fold, digest", false, where);
+	return visit_query_rows(
+	    store, sql, query, add_material_of_intact_row, list, error);
 }
 
 bool
@@ -731,23 +733,23 @@ bool
 store_count_materials(struct store *store, size_t *n, struct error *error)
 {
 	*n = 0;
-	return visit_rows(store, "SELECT count(*) FROM material",
-	    &(struct store_query){0}, take_count, n, error);
+	return visit_query_rows(store, "SELECT count(*) FROM material",
+	    &(struct store_query){0}, read_count_from_row, n, error);
 }
 
 bool
-store_visit_words(struct store *store, enum store_word what,
+store_visit_names_or_rocks(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data, struct error *error)
 {
 	static const char *const SQL[] = {
 	    [STORE_NAMES] = "SELECT name FROM material ORDER BY fold",
 	    [STORE_ROCKS] = "SELECT rock FROM material GROUP BY rock"};
-	return visit_rows(store, SQL[what], &(struct store_query){0}, take_word,
-	    &(struct visitor){take, data}, error);
+	return visit_query_rows(store, SQL[what], &(struct store_query){0},
+	    visit_first_column_text, &(struct visitor){take, data}, error);
 }
 
 bool
-store_visit_names_beginning(struct store *store, const char *beginning,
+store_visit_names_with_prefix(struct store *store, const char *beginning,
     size_t most, void (*take)(void *data, const char *name), void *data,
     struct error *error)
 {
@@ -758,33 +760,33 @@ store_visit_names_beginning(struct store *store, const char *beginning,
 	    "IN (SELECT fold FROM matching ORDER BY fold LIMIT ?6) OR fold = "
 	    "(SELECT max(fold) FROM matching) ORDER BY fold";
 	const struct store_query query = {.name = beginning, .first = most};
-	return visit_rows(store, SQL, &query, take_word,
+	return visit_query_rows(store, SQL, &query, visit_first_column_text,
 	    &(struct visitor){take, data}, error);
 }
 
 /* Binds a material to a row; unknown values stay NULL. */
 static void
-bind_material(sqlite3_stmt *stmt, const struct material *m)
+bind_material_to_sql(sqlite3_stmt *stmt, const struct material *m)
 {
 	FREED char *fold = text_fold_case_and_accents(m->name),
 		   *digest = material_digest_text(m);
 	sqlite3_reset(stmt);
 	sqlite3_clear_bindings(stmt);
-	bind_text(stmt, 1, fold);
-	bind_text(stmt, 2, digest);
+	sql_bind_text(stmt, 1, fold);
+	sql_bind_text(stmt, 2, digest);
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		FREED char *text = material_field_to_text(m, f);
 		bool number = f->kind == FIELD_NUMBER || f->kind == FIELD_WHOLE;
 		if (f->kind == FIELD_NUMBER && text[0] != '\0')
 			sqlite3_bind_double(
-			    stmt, i + 3, *material_number_of_field(m, f));
+			    stmt, i + 3, *material_number_field_pointer(m, f));
 		else if (!number || text[0] != '\0')
-			bind_text(stmt, i + 3, text);
+			sql_bind_text(stmt, i + 3, text);
 	}
 }
 
-/* The arguments of store_put_materials. */
+/* The arguments of store_save_materials. */
 struct put {
 	const struct material *item;
 	size_t n;
@@ -792,15 +794,15 @@ struct put {
 };
 
 static bool
-put_row(struct store *store, sqlite3_stmt *stmt, const struct material *m,
-    struct error *error)
+insert_material(struct store *store, sqlite3_stmt *stmt,
+    const struct material *m, struct error *error)
 {
 	if (!check_material_fields(m, error))
 		return false;
-	bind_material(stmt, m);
+	bind_material_to_sql(stmt, m);
 	if (sqlite3_step(stmt) == SQLITE_DONE)
 		return true;
-	if (sqlite_code(store) != SQLITE_CONSTRAINT)
+	if (sqlite_error_code(store) != SQLITE_CONSTRAINT)
 		return set_error_from_sqlite(store, error);
 	return error_set(error, ERROR_USAGE,
 	    "the store already has a material '%s'\nchoose another name, or "
@@ -809,32 +811,32 @@ put_row(struct store *store, sqlite3_stmt *stmt, const struct material *m,
 }
 
 static bool
-put_rows(struct store *store, const void *of, struct error *error)
+insert_materials(struct store *store, const void *of, struct error *error)
 {
 	const struct put *put = of;
-	FREED char *head = sql_listing_fields(
+	FREED char *head = sql_with_all_fields(
 	    put->replace ? "INSERT OR REPLACE INTO material "
 			   "(fold, digest"
 			 : "INSERT INTO material (fold, digest",
 	    false, ") VALUES (?, ?");
-	FREED char *sql = sql_listing_fields(head, true, ")");
+	FREED char *sql = sql_with_all_fields(head, true, ")");
 	sqlite3_stmt *stmt = NULL;
 	bool ok =
 	    sqlite3_prepare_v2(store->db, sql, -1, &stmt, NULL) == SQLITE_OK ||
 	    set_error_from_sqlite(store, error);
 	for (size_t i = 0; ok && i < put->n; i++)
-		ok = put_row(store, stmt, &put->item[i], error);
+		ok = insert_material(store, stmt, &put->item[i], error);
 	sqlite3_finalize(stmt);
 	return ok;
 }
 
 bool
-store_put_materials(struct store *store, const struct material *item, size_t n,
+store_save_materials(struct store *store, const struct material *item, size_t n,
     bool replace, struct error *error)
 {
 	const struct put put = {item, n, replace};
 	bool ok = store_open(store, true, error) &&
-		  run_transaction(store, put_rows, &put, error);
+		  run_in_transaction(store, insert_materials, &put, error);
 	store_close(store);
 	return ok;
 }
@@ -854,7 +856,8 @@ store_remove_material(
 		return false;
 	bool none = store->db == NULL;
 	store_close(store);
-	if (!visit_rows(store, SQL, &query, take_count, &n, error))
+	if (!visit_query_rows(
+		store, SQL, &query, read_count_from_row, &n, error))
 		return false;
 	return n > 0 ||
 	       error_set(error, ERROR_USAGE,

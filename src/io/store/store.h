@@ -13,7 +13,7 @@
 
 /* A store opens its file for each call and closes it afterwards, so nothing is
  * lost if the file is moved or the program killed in between.  Materials are on
- * disk when store_put_materials returns.  Several programs may use one file at
+ * disk when store_save_materials returns.  Several programs may use one file at
  * the same time; a program waits for another one for at most 5 s. */
 struct store;
 
@@ -31,7 +31,7 @@ bool store_is_sqlite_file(const char *path);
 
 /* Returns the size of the file in bytes, or -1 if there is none (yet), as for
  * ":memory:". */
-int64_t store_file_bytes(const struct store *store);
+int64_t store_file_size(const struct store *store);
 
 /* STORE_SCHEMA: the version of the schema that a store is upgraded to when it
  * is opened.  SCHEMA_APPLICATION: PRAGMA application_id of a store, "tips" in
@@ -76,21 +76,21 @@ bool store_count_materials(struct store *store, size_t *n, struct error *error);
 /* Calls take for the name of each material in the store, or for each of their
  * rocks once. */
 enum store_word { STORE_NAMES, STORE_ROCKS };
-bool store_visit_words(struct store *store, enum store_word what,
+bool store_visit_names_or_rocks(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data,
     struct error *error);
 
 /* Calls take for names that begin with `beginning`, ignoring case and accents:
  * the first `most` in order and, if there are more, also the last one.  So what
  * is common to the beginnings of these is common to all names. */
-bool store_visit_names_beginning(struct store *store, const char *beginning,
+bool store_visit_names_with_prefix(struct store *store, const char *beginning,
     size_t most, void (*take)(void *data, const char *name), void *data,
     struct error *error);
 
 /* Stores n materials, all or none.  Makes the file and, for the default path,
  * its folders.  A material with the same name (ignoring case and accents) is
  * replaced or, without `replace`, causes ERROR_USAGE. */
-bool store_put_materials(struct store *store, const struct material *item,
+bool store_save_materials(struct store *store, const struct material *item,
     size_t n, bool replace, struct error *error);
 
 /* Removes the material with this name; ERROR_USAGE if there is none. */

@@ -26,7 +26,7 @@ struct column {
 enum { COLUMNS = 64 };
 
 static bool
-has_param_column(const struct column *column, size_t n, const char *name)
+has_column_of_param(const struct column *column, size_t n, const char *name)
 {
 	for (size_t i = 0; i < n; i++)
 		if (column[i].param != NULL &&
@@ -38,7 +38,7 @@ has_param_column(const struct column *column, size_t n, const char *name)
 /* Lists the columns: one for each field, and one for each parameter of the
  * paper's model and of the models marked in model.  Returns their number. */
 static size_t
-list_csv_columns(const bool *model, struct column column[static COLUMNS])
+list_store_csv_columns(const bool *model, struct column column[static COLUMNS])
 {
 	size_t n = 0;
 	for (size_t f = 0; f < FIELD_COUNT; f++) {
@@ -52,7 +52,7 @@ list_csv_columns(const bool *model, struct column column[static COLUMNS])
 				const struct param_info *p =
 				    &BREAKAGES[m]->parameter[j];
 				if ((m == 0 || model[m]) &&
-				    !has_param_column(column, n, p->name))
+				    !has_column_of_param(column, n, p->name))
 					column[n++] =
 					    (struct column){NULL, p, SIZE_MAX};
 			}
@@ -61,13 +61,13 @@ list_csv_columns(const bool *model, struct column column[static COLUMNS])
 }
 
 static const char *
-column_name(const struct column *c)
+store_csv_column_name(const struct column *c)
 {
 	return c->field != NULL ? c->field->name : c->param->name;
 }
 
 static char *
-column_value_to_text(const struct column *c, const struct material *m)
+material_csv_column_text(const struct column *c, const struct material *m)
 {
 	char number[32];
 	if (c->field != NULL)
@@ -85,17 +85,18 @@ write_materials_csv(const void *data, FILE *out)
 	FREED bool *model = xcalloc(breakage_count_models(), sizeof *model);
 	for (size_t i = 0; i < list->n; i++)
 		model[list->item[i].params.breakage] = true;
-	size_t n = list_csv_columns(model, column);
+	size_t n = list_store_csv_columns(model, column);
 	for (size_t c = 0; c < n; c++)
-		fprintf(out, "%s%s", c > 0 ? "," : "", column_name(&column[c]));
+		fprintf(out, "%s%s", c > 0 ? "," : "",
+		    store_csv_column_name(&column[c]));
 	fputc('\n', out);
 	for (size_t i = 0; i < list->n; i++) {
 		for (size_t c = 0; c < n; c++) {
-			FREED char *text =
-			    column_value_to_text(&column[c], &list->item[i]);
+			FREED char *text = material_csv_column_text(
+			    &column[c], &list->item[i]);
 			if (c > 0)
 				fputc(',', out);
-			text_write_sheet_cell(text, ',', out);
+			text_write_csv_cell(text, ',', out);
 		}
 		fputc('\n', out);
 	}
@@ -105,14 +106,14 @@ bool
 store_csv_write_file(
     const struct material_list *list, const char *path, struct error *error)
 {
-	return file_replace_by_output(
+	return file_replace_using_writer(
 	    path, FILE_SHARED, write_materials_csv, list, error);
 }
 
 /* True if a file must have the column.  Old exports have neither model nor
  * basis, and each model has its own parameters. */
 static bool
-is_required_column(const struct column *c)
+is_required_csv_column(const struct column *c)
 {
 	if (c->field != NULL)
 		return c->field->kind != FIELD_MODEL &&
@@ -122,22 +123,23 @@ is_required_column(const struct column *c)
 }
 
 static void
-find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
+find_export_columns_in_heading(
+    struct sheet *sheet, struct column *column, size_t n)
 {
 	const struct row *head = &sheet->row[0];
 	bool other_model = false;
 	for (size_t i = 0; i < head->n; i++) {
 		struct cell cell = head->cell[i];
 		size_t c = 0;
-		while (c < n &&
-		       !text_same_folded(cell.text, column_name(&column[c])))
+		while (c < n && !text_is_same_folded(cell.text,
+				    store_csv_column_name(&column[c])))
 			c++;
 		if (c == n)
-			sheet_fault_expected(sheet, cell,
+			sheet_report_expected(sheet, cell,
 			    "the name of a column of 'export'",
 			    "use the columns that 'export' writes");
 		else if (column[c].at != SIZE_MAX)
-			sheet_fault(sheet, cell,
+			sheet_report_fault(sheet, cell,
 			    "duplicate column: %s\n"
 			    "remove one of the two",
 			    cell.text);
@@ -151,12 +153,12 @@ find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 	bool other = column[0].at == SIZE_MAX;
 	for (size_t c = 0; c < (other ? 1 : n); c++)
 		if (column[c].at == SIZE_MAX &&
-		    is_required_column(&column[c]) &&
+		    is_required_csv_column(&column[c]) &&
 		    (column[c].field != NULL || !other_model))
-			sheet_fault(sheet, row_cell_at(head, head->n),
+			sheet_report_fault(sheet, row_cell_at(head, head->n),
 			    "expected a column %s, got none\n"
 			    "use the columns that 'export' writes",
-			    column_name(&column[c]));
+			    store_csv_column_name(&column[c]));
 }
 
 static const char EMPTY[] = N_("expected %s, got an empty cell\n"
@@ -172,11 +174,11 @@ parse_material_param_cell(struct sheet *sheet, struct cell cell,
 	size_t j = breakage_parameter_index(
 	    breakage_model_of_params(&m->params), info->name);
 	if (cell.text[0] == '\0')
-		sheet_fault(sheet, cell, EMPTY, info->name);
+		sheet_report_fault(sheet, cell, EMPTY, info->name);
 	else if (number_read_cell(sheet, cell, wanted, &value)) {
 		m->params.at[j] = value;
 		if (value < info->least || value > info->most)
-			sheet_fault_expected(sheet, cell, wanted, NULL);
+			sheet_report_expected(sheet, cell, wanted, NULL);
 	}
 }
 
@@ -187,26 +189,26 @@ parse_material_field_cell(struct sheet *sheet, struct cell cell,
 	double number;
 	if (cell.text[0] == '\0') {
 		if (f->needed)
-			sheet_fault(sheet, cell, EMPTY, f->name);
+			sheet_report_fault(sheet, cell, EMPTY, f->name);
 		return;
 	}
 	FREED char *wanted = material_valid_values_text(m, f);
 	if (f->kind != FIELD_NUMBER)
 		material_set_field(m, f, cell.text);
 	else if (number_read_cell(sheet, cell, wanted, &number))
-		*material_number_of_field(m, f) = number;
+		*material_number_field_pointer(m, f) = number;
 	else
 		return;
-	bool whole =
-	    f->kind != FIELD_WHOLE || *material_integer_of_field(m, f) >= 0;
+	bool whole = f->kind != FIELD_WHOLE ||
+		     *material_integer_field_pointer(m, f) >= 0;
 	if (!whole || !material_is_field_valid(m, f))
-		sheet_fault_expected(sheet, cell, wanted, NULL);
+		sheet_report_expected(sheet, cell, wanted, NULL);
 }
 
 /* Reports names that occur twice, or are in the store already (there).  list:
  * the materials of the rows after the heading; column: that of their names. */
 static void
-check_names_unique(struct sheet *sheet, size_t column,
+check_material_names_unique(struct sheet *sheet, size_t column,
     const struct material_list *there, const struct material_list *list)
 {
 	/* Folded names; true means in the store. */
@@ -222,12 +224,12 @@ check_names_unique(struct sheet *sheet, size_t column,
 		const json_t *same = json_object_get(known, fold);
 		struct cell cell = row_cell_at(&sheet->row[1 + i], column);
 		if (json_is_false(same))
-			sheet_fault(sheet, cell,
+			sheet_report_fault(sheet, cell,
 			    "duplicate name: %.60s\n"
 			    "leave out one of the rows, or rename it",
 			    cell.text);
 		else if (json_is_true(same))
-			sheet_fault(sheet, cell,
+			sheet_report_fault(sheet, cell,
 			    "expected a new name, but the store already has "
 			    "'%.60s'\n"
 			    "use replace=on to replace it",
@@ -243,9 +245,9 @@ static void
 store_csv_read_row(struct sheet *sheet, const struct row *row,
     const struct column *column, size_t n, struct material_list *list)
 {
-	struct material m = material_empty();
+	struct material m = material_make_empty();
 	if (row->n > sheet->row[0].n)
-		sheet_fault(sheet, row->cell[sheet->row[0].n],
+		sheet_report_fault(sheet, row->cell[sheet->row[0].n],
 		    "expected %zu cells, got more\n"
 		    "quote text that contains the separator",
 		    sheet->row[0].n);
@@ -273,16 +275,16 @@ store_csv_read_file(const char *path, const struct material_list *there,
 	if (text == NULL)
 		return false;
 	struct sheet *sheet = sheet_new_without_line_limit(path, text, errors);
-	number_choose_decimal_sign(sheet);
+	number_detect_decimal_sign(sheet);
 	struct column column[COLUMNS];
 	FREED bool *all = xcalloc(breakage_count_models(), sizeof *all);
 	memset(all, true, breakage_count_models() * sizeof *all);
-	size_t n = list_csv_columns(all, column);
+	size_t n = list_store_csv_columns(all, column);
 	if (sheet->n_row > 0)
-		find_columns_in_heading(sheet, column, n);
+		find_export_columns_in_heading(sheet, column, n);
 	const struct cell start = {.line = 1, .column = 1};
 	if (sheet->n_row < 2 && sheet->n_fault == 0)
-		sheet_fault(sheet, start,
+		sheet_report_fault(sheet, start,
 		    tr_n("expected a line of column names and a line for each "
 			 "material, got %zu line",
 			"expected a line of column names and a line for each "
@@ -291,10 +293,10 @@ store_csv_read_file(const char *path, const struct material_list *there,
 		    sheet->n_row);
 	bool head = sheet->n_fault == 0;
 	for (size_t i = 1;
-	     head && i < sheet->n_row && !error_should_stop(errors); i++)
+	     head && i < sheet->n_row && !error_is_stop_requested(errors); i++)
 		store_csv_read_row(sheet, &sheet->row[i], column, n, list);
 	if (head && !errors->stopped)
-		check_names_unique(sheet, column[0].at, there, list);
+		check_material_names_unique(sheet, column[0].at, there, list);
 	bool ok = sheet->n_fault == 0 && !errors->stopped;
 	sheet_free(sheet);
 	return ok;

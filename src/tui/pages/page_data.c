@@ -54,7 +54,7 @@ cell_passing_percent(const struct sheet *h, size_t column, size_t row)
 	const struct psd *psd = curve_of_column(h, column);
 	for (size_t i = 0; i < psd->n; i++)
 		if (psd->size[i] == h->sieve[row])
-			return units_pct(psd->passing[i]);
+			return units_fraction_to_pct(psd->passing[i]);
 	return NAN;
 }
 
@@ -70,22 +70,25 @@ column_heading_text(const struct tui *t, size_t column, char text[static 48])
 		snprintf(text, 48, tr("feed %%"));
 	else
 		snprintf(text, 48, "%s%g%s%s", feed ? tr("feed@") : "",
-		    answers_speed_number(h->site, run->speed), run->repeat,
-		    !feed && tui_current_entry(t)->train[h->column[column].run]
+		    answers_speed_in_sheet_unit(h->site, run->speed),
+		    run->repeat,
+		    !feed && tui_current_site_entry(t)
+				 ->train[h->column[column].run]
 			? "*"
 			: "");
 }
 
 /* Returns how many decimals the cells need. */
 static int
-digits_needed_by_cells(const struct sheet *h)
+count_decimals_of_cells(const struct sheet *h)
 {
 	enum { MOST = 3 };
 	int digits = 1;
 	for (size_t c = 0; c < h->n_column; c++) {
 		const struct psd *psd = curve_of_column(h, c);
 		for (size_t i = 0; i < psd->n && digits < MOST; i++) {
-			double x = units_pct(psd->passing[i]) * pow(10, digits);
+			double x = units_fraction_to_pct(psd->passing[i]) *
+				   pow(10, digits);
 			digits += fabs(x - round(x)) > 1e-6;
 		}
 	}
@@ -97,11 +100,11 @@ make_sheet_of_site(struct tui *t, const struct site *site)
 {
 	enum { LEAST = 9, GAP = 3 };
 	struct sheet *h = &t->view.sheet;
-	tui_forget_sheet(h);
+	tui_free_sheet(h);
 	h->site = site;
 	h->sieve = site_all_sieves(site, &h->n);
 	list_sheet_columns(h, site);
-	h->digits = digits_needed_by_cells(h);
+	h->digits = count_decimals_of_cells(h);
 	h->width = LEAST;
 	for (size_t c = 0; c < h->n_column; c++) {
 		char text[48];
@@ -118,7 +121,7 @@ make_sheet_of_site(struct tui *t, const struct site *site)
 static bool
 data_prepare_cells(struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	bool has = entry != NULL && entry->site->n_run > 0;
 	if (has && t->view.sheet.site != entry->site)
 		make_sheet_of_site(t, entry->site);
@@ -131,7 +134,7 @@ static void
 update_doubtful_cells(struct tui *t)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	struct sheet *h = &t->view.sheet;
 	if (!data_prepare_cells(t))
 		return;
@@ -153,7 +156,7 @@ update_doubtful_cells(struct tui *t)
 /* ---- Doubtful cells ---- */
 
 static bool
-is_about_one_cell(const struct mend *m)
+is_correction_of_one_cell(const struct mend *m)
 {
 	return m->kind == MEND_READ || m->kind == MEND_OUT;
 }
@@ -174,7 +177,7 @@ finding_of_cell(const struct sheet *h, size_t column, size_t row)
 	for (size_t i = 0; h->looked && i < h->doctor.n; i++) {
 		const struct mend *m = &h->doctor.finding[i].mend;
 		if (is_finding_about_column(m, &h->column[column]) &&
-		    (!is_about_one_cell(m) || m->size == h->sieve[row]))
+		    (!is_correction_of_one_cell(m) || m->size == h->sieve[row]))
 			return &h->doctor.finding[i];
 	}
 	return NULL;
@@ -182,7 +185,7 @@ finding_of_cell(const struct sheet *h, size_t column, size_t row)
 
 /* Moves the cursor to the next finding, column by column. */
 static void
-move_to_next_finding(struct tui *t)
+move_to_next_doubtful_cell(struct tui *t)
 {
 	struct sheet *h = &t->view.sheet;
 	size_t cells = h->n * h->n_column;
@@ -191,34 +194,35 @@ move_to_next_finding(struct tui *t)
 		const struct finding *f =
 		    finding_of_cell(h, k / h->n, k % h->n);
 		/* A finding about a column is visited at its first cell. */
-		if (f == NULL || (!is_about_one_cell(&f->mend) && k % h->n > 0))
+		if (f == NULL ||
+		    (!is_correction_of_one_cell(&f->mend) && k % h->n > 0))
 			continue;
 		t->ui.cell.at = k / h->n;
 		t->ui.cell.row = k % h->n;
 		return;
 	}
-	tui_say(t, false,
+	tui_set_message(t, false,
 	    h->looked ? N_("no cell is doubtful")
 		      : N_("the cells are not checked yet"));
 }
 
 static void
-mend_cell_at_cursor(struct tui *t)
+correct_cell_at_cursor(struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct finding *f =
 	    h->n > 0 ? finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) : NULL;
 	if (f == NULL) {
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "this cell is not doubtful: ! goes to one that is; for "
 		    "others see help mend");
 		return;
 	}
-	FREED char *line = mend_command_line(h->site, &f->mend);
-	FREED char *words = mend_text(h->site, &f->mend);
+	FREED char *line = mend_to_command_text(h->site, &f->mend);
+	FREED char *words = mend_description(h->site, &f->mend);
 	tui_stop_fit(t);
-	if (control_run_command(t, line))
-		tui_say(t, false,
+	if (control_run_command_captured(t, line))
+		tui_set_message(t, false,
 		    "mended: %s; u undoes it, f calibrates again, :write FILE "
 		    "saves the sheet",
 		    words);
@@ -234,7 +238,7 @@ struct room {
 /* Returns true if there is a prediction, and room for it beside at least one
  * column of the sheet. */
 static bool
-has_room_for_prediction(const struct tui *t, const struct area *area)
+has_screen_room_for_prediction(const struct tui *t, const struct area *area)
 {
 	return t->view.shown.product.n > 0 &&
 	       area->columns >= SIEVES + t->view.sheet.width + PREDICTED;
@@ -244,12 +248,12 @@ has_room_for_prediction(const struct tui *t, const struct area *area)
 enum { SAID = 3 };
 
 static struct room
-cells_that_fit(const struct tui *t, const struct area *area)
+count_cells_that_fit(const struct tui *t, const struct area *area)
 {
 	const struct sheet *h = &t->view.sheet;
 	int rows = area->rows - 1 - (area->rows > 2 * SAID ? SAID : 0);
 	int columns = area->columns - SIEVES -
-		      (has_room_for_prediction(t, area) ? PREDICTED : 0);
+		      (has_screen_room_for_prediction(t, area) ? PREDICTED : 0);
 	columns = columns / h->width;
 	return (struct room){
 	    rows < 1 ? 1 : (size_t)rows, columns < 1 ? 1 : (size_t)columns};
@@ -267,22 +271,24 @@ first_index_to_show(size_t first, size_t at, size_t n, size_t room)
 }
 
 static void
-on_mouse_in_cells(struct tui *t, const struct mouse_event *touched)
+on_mouse_in_sheet_cells(struct tui *t, const struct mouse_event *touched)
 {
 	struct sheet *h = &t->view.sheet;
 	t->ui.cell.on = true;
 	if (touched->kind != HIT_PRESS) {
 		t->ui.cell.row =
-		    pane_clamp_index(t->ui.cell.row, touched->by, h->n);
+		    pane_move_index_clamped(t->ui.cell.row, touched->by, h->n);
 		return;
 	}
 	int column = touched->column < 0 ? 0 : touched->column / h->width;
-	t->ui.cell.at = pane_clamp_index(t->ui.cell.left, column, h->n_column);
-	t->ui.cell.row = pane_clamp_index(t->ui.cell.top, touched->row, h->n);
+	t->ui.cell.at =
+	    pane_move_index_clamped(t->ui.cell.left, column, h->n_column);
+	t->ui.cell.row =
+	    pane_move_index_clamped(t->ui.cell.top, touched->row, h->n);
 }
 
 static void
-data_draw_cell(
+data_page_draw_cell(
     struct tui *t, const struct area *line, int from, size_t column, size_t i)
 {
 	const struct sheet *h = &t->view.sheet;
@@ -295,9 +301,9 @@ data_draw_cell(
 		snprintf(text, sizeof text, "%.*f", h->digits, x);
 	FREED char *cell = xasprintf("%*s", h->width - 2, text);
 	if (doubtful)
-		screen_draw_series_text(line, 0, from + h->width - 1,
+		screen_draw_text_in_series_colour(line, 0, from + h->width - 1,
 		    SERIES_PREDICTED, LOOK_BOLD, "!");
-	screen_draw_series_text(line, 0, from + 1,
+	screen_draw_text_in_series_colour(line, 0, from + 1,
 	    doubtful ? SERIES_PREDICTED : SERIES_TEXT,
 	    (here ? LOOK_REVERSE : 0) | (doubtful ? LOOK_BOLD : 0), cell);
 	if (here)
@@ -308,7 +314,8 @@ data_draw_cell(
 /* Draws the cells of sieve i and the prediction or, if i is SIZE_MAX, the
  * headings. */
 static void
-data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
+data_page_draw_row(
+    struct tui *t, const struct area *line, size_t i, size_t columns)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct psd *psd = &t->view.shown.product;
@@ -316,35 +323,35 @@ data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 	int from = SIEVES;
 	char text[48];
 	if (heads)
-		screen_text(
+		screen_draw_text(
 		    line, 0, 0, LOOK_BOLD, "%*s", SIEVES - 1, tr("sieve mm"));
 	else
-		screen_text(
-		    line, 0, 0, 0, "%*g", SIEVES - 1, units_mm(h->sieve[i]));
+		screen_draw_text(line, 0, 0, 0, "%*g", SIEVES - 1,
+		    units_m_to_mm(h->sieve[i]));
 	for (size_t c = t->ui.cell.left;
 	     c < h->n_column && c < t->ui.cell.left + columns;
 	     c++, from += h->width) {
 		column_heading_text(t, c, text);
 		bool trained = text[strlen(text) - 1] == '*';
 		if (heads)
-			screen_text(line, 0, from, LOOK_BOLD, "%*s",
+			screen_draw_text(line, 0, from, LOOK_BOLD, "%*s",
 			    h->width - (trained ? 0 : 1), text);
 		else
-			data_draw_cell(t, line, from, c, i);
+			data_page_draw_cell(t, line, from, c, i);
 	}
-	if (!has_room_for_prediction(t, line))
+	if (!has_screen_room_for_prediction(t, line))
 		return;
 	snprintf(text, sizeof text, "%s", heads ? tr("PRED") : "-");
 	if (!heads && psd_covers_size(psd, h->sieve[i]))
 		snprintf(text, sizeof text, "%.*f", h->digits,
 		    100 * psd_passing(psd, h->sieve[i]));
-	screen_text(line, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, text);
+	screen_draw_text(line, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, text);
 }
 
 /* Draws the table, with marks where it continues.  Returns the column after the
  * table. */
 static int
-data_draw_cells(struct tui *t, const struct area *area, struct room room)
+data_page_draw_cells(struct tui *t, const struct area *area, struct room room)
 {
 	const struct sheet *h = &t->view.sheet;
 	const size_t top = t->ui.cell.top, left = t->ui.cell.left;
@@ -352,29 +359,29 @@ data_draw_cells(struct tui *t, const struct area *area, struct room room)
 	       columns = h->n_column - left < room.columns ? h->n_column - left
 							   : room.columns;
 	int end = SIEVES + (int)columns * h->width;
-	hits_add(&t->hits, HIT_PRESS | HIT_WHEEL,
+	hits_add_mouse_handler(&t->hits, HIT_PRESS | HIT_WHEEL,
 	    (struct area){
 		area->row + 1, area->column + SIEVES, (int)rows, end - SIEVES},
-	    on_mouse_in_cells, 0);
+	    on_mouse_in_sheet_cells, 0);
 	for (size_t r = 0; r <= rows && (int)r < area->rows; r++) {
 		const struct area line = area_of_row(area, (int)r);
-		data_draw_row(
+		data_page_draw_row(
 		    t, &line, r == 0 ? SIZE_MAX : top + r - 1, columns);
 	}
 	if (left + columns < h->n_column)
-		screen_text(area, 0, end - 1, LOOK_BOLD, ">");
+		screen_draw_text(area, 0, end - 1, LOOK_BOLD, ">");
 	if (top > 0)
-		screen_text(area, 1, 0, LOOK_BOLD, "^");
+		screen_draw_text(area, 1, 0, LOOK_BOLD, "^");
 	if (top + rows < h->n)
-		screen_text(area, (int)rows, 0, LOOK_BOLD, "v");
+		screen_draw_text(area, (int)rows, 0, LOOK_BOLD, "v");
 	if (left > 0)
-		screen_text(area, 0, SIEVES, LOOK_BOLD, "<");
-	return end + (has_room_for_prediction(t, area) ? PREDICTED : 0);
+		screen_draw_text(area, 0, SIEVES, LOOK_BOLD, "<");
+	return end + (has_screen_room_for_prediction(t, area) ? PREDICTED : 0);
 }
 
 /* Returns the state of the sheet as a whole, in words. */
 static char *
-sheet_state_text(const struct tui *t)
+sheet_check_result_text(const struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
 	if (session_is_calibrating(t->session))
@@ -396,24 +403,24 @@ sheet_state_text(const struct tui *t)
 
 /* Returns a text about the cell under the cursor. */
 static char *
-cell_description_text(const struct tui *t)
+sheet_cell_description_text(const struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct sheet_column *c = &h->column[t->ui.cell.at];
 	const struct finding *f =
 	    finding_of_cell(h, t->ui.cell.at, t->ui.cell.row);
 	double x = cell_passing_percent(h, t->ui.cell.at, t->ui.cell.row);
-	char *name = mend_column_name(h->site, c->feed, c->run), *words;
+	char *name = mend_name_of_column(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
 		FREED char *why = mend_finding_text(h->site, f),
-			   *call = mend_command_line(h->site, &f->mend);
+			   *call = mend_to_command_text(h->site, &f->mend);
 		words = xasprintf(tr("! %s; Enter: %s"), why, call);
 	} else if (isnan(x))
 		words = xasprintf(tr("%s: not sieved at %g mm"), name,
-		    units_mm(h->sieve[t->ui.cell.row]));
+		    units_m_to_mm(h->sieve[t->ui.cell.row]));
 	else
 		words = xasprintf(tr("%s: %.7g %% passes %g mm"), name, x,
-		    units_mm(h->sieve[t->ui.cell.row]));
+		    units_m_to_mm(h->sieve[t->ui.cell.row]));
 	free(name);
 	return words;
 }
@@ -421,11 +428,12 @@ cell_description_text(const struct tui *t)
 /* Draws a text about the cell under the cursor or, without a cursor, about the
  * sheet.  Returns the row after it. */
 static int
-draw_cell_description(const struct tui *t, const struct area *area, int row)
+draw_sheet_cell_description(
+    const struct tui *t, const struct area *area, int row)
 {
 	bool here = t->ui.cell.on;
 	FREED char *words =
-	    here ? cell_description_text(t) : sheet_state_text(t);
+	    here ? sheet_cell_description_text(t) : sheet_check_result_text(t);
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
 	    here && finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) != NULL;
@@ -439,7 +447,7 @@ static int
 draw_data_source(const struct tui *t, const struct area *area, int row)
 {
 	const struct site *site = t->view.sheet.site;
-	FREED char *data = site_provenance_in_words(site->provenance);
+	FREED char *data = site_translate_provenance(site->provenance);
 	const struct {
 		const char *what, *text;
 	} MORE[] = {{N_("machine"), site->machine},
@@ -451,7 +459,7 @@ draw_data_source(const struct tui *t, const struct area *area, int row)
 			     "passing; * training")
 			: tr("columns: feed and product at each speed, m/s, % "
 			     "passing; * training"));
-	if (has_room_for_prediction(t, &t->layout.body))
+	if (has_screen_room_for_prediction(t, &t->layout.body))
 		xappend(&columns, "%s", tr("; PRED: at the slider"));
 	row = screen_draw_wrapped(area, row, LOOK_DIM, columns);
 	for (size_t i = 0; i < ARRAY_LEN(MORE); i++) {
@@ -462,7 +470,7 @@ draw_data_source(const struct tui *t, const struct area *area, int row)
 		row = screen_draw_wrapped(area, row, 0, line);
 	}
 	for (size_t i = 0; i < site->n_left_out && row < area->rows; i++)
-		screen_text(area, row++, 0, 0, "not read, %s: %s",
+		screen_draw_text(area, row++, 0, 0, "not read, %s: %s",
 		    site->left_out[i].key, site->left_out[i].value);
 	return row;
 }
@@ -473,7 +481,7 @@ static bool
 draw_residuals_or_curves(struct tui *t, struct area area)
 {
 	enum { LEAST = 50, MOST = 120, LOW = 14, HIGH = 30 };
-	const bool fitted = tui_current_entry(t)->has_params;
+	const bool fitted = tui_current_site_entry(t)->has_params;
 	struct plot_request request =
 	    plots_default_request(fitted ? PLOT_RESIDUALS : PLOT_PSD);
 	if (area.columns < LEAST || area.rows < LOW)
@@ -487,35 +495,36 @@ draw_residuals_or_curves(struct tui *t, struct area area)
 }
 
 static void
-data_draw(struct tui *t)
+data_page_draw(struct tui *t)
 {
 	struct area area = pane_list_area(t);
 	struct sheet *h = &t->view.sheet;
 	/* A running command may have changed the site. */
 	if (!data_prepare_cells(t)) {
-		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
+		screen_draw_text(&area, 0, 0, 0, TUI_NO_SITE);
 		return;
 	}
-	struct room room = cells_that_fit(t, &area);
+	struct room room = count_cells_that_fit(t, &area);
 	struct area rest = area;
 	t->ui.cell.top = first_index_to_show(
 	    t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
 	t->ui.cell.left = first_index_to_show(
 	    t->ui.cell.left, t->ui.cell.at, h->n_column, room.columns);
 	enum { GAP = 2 };
-	int behind = data_draw_cells(t, &area, room);
+	int behind = data_page_draw_cells(t, &area, room);
 	size_t shown = h->n < room.rows ? h->n : room.rows;
 	int row = (int)shown + 1;
-	area_cut(&rest, EDGE_LEFT, behind + GAP);
+	area_cut_off_edge(&rest, EDGE_LEFT, behind + GAP);
 	bool beside = draw_residuals_or_curves(t, rest);
 	if (beside)
 		area.columns = behind;
 	if (area.rows <= 2 * SAID)
 		return;
 	/* With a blank row, if there is room. */
-	row = draw_cell_description(t, &area, row + (row + SAID < area.rows));
+	row = draw_sheet_cell_description(
+	    t, &area, row + (row + SAID < area.rows));
 	row = draw_data_source(t, &area, row + (row + SAID < area.rows));
-	area_cut(&area, EDGE_TOP, row + 1);
+	area_cut_off_edge(&area, EDGE_TOP, row + 1);
 	if (!beside)
 		draw_residuals_or_curves(t, area);
 }
@@ -525,30 +534,30 @@ data_draw(struct tui *t)
 /* Moves the cursor by one column, by COLUMNS or, for PgUp and PgDn, by a page
  * of rows. */
 static void
-move_cursor_sideways(struct tui *t, int amount)
+move_cursor_by_columns_or_page(struct tui *t, int amount)
 {
 	enum { COLUMNS = 5 };
 	struct sheet *h = &t->view.sheet;
 	const struct area area = pane_list_area(t);
-	int rows = (int)cells_that_fit(t, &area).rows;
+	int rows = (int)count_cells_that_fit(t, &area).rows;
 	int columns = abs(amount) == STEP ? STEP : COLUMNS;
 	if (abs(amount) == FAR)
-		t->ui.cell.row = pane_clamp_index(
+		t->ui.cell.row = pane_move_index_clamped(
 		    t->ui.cell.row, amount < 0 ? rows : -rows, h->n);
 	else
-		t->ui.cell.at = pane_clamp_index(t->ui.cell.at,
+		t->ui.cell.at = pane_move_index_clamped(t->ui.cell.at,
 		    amount < 0 ? -columns : columns, h->n_column);
 }
 
 /* The first Enter shows the cursor; the next one mends the cell. */
 void
-act_mend_cell(struct tui *t, const struct key *key)
+act_correct_cell(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!data_prepare_cells(t))
 		return;
 	if (t->ui.cell.on)
-		mend_cell_at_cursor(t);
+		correct_cell_at_cursor(t);
 	t->ui.cell.on = true;
 }
 
@@ -559,11 +568,11 @@ act_next_doubtful_cell(struct tui *t, const struct key *key)
 	if (!data_prepare_cells(t))
 		return;
 	t->ui.cell.on = true;
-	move_to_next_finding(t);
+	move_to_next_doubtful_cell(t);
 }
 
 static bool
-data_move_cursor(struct tui *t, const struct key *key)
+data_page_move_cursor(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->view.sheet;
 	if (!data_prepare_cells(t))
@@ -578,17 +587,17 @@ data_move_cursor(struct tui *t, const struct key *key)
 		    key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
 	else if (key->act == act_move_in_list)
 		t->ui.cell.row =
-		    pane_clamp_index(t->ui.cell.row, key->amount, h->n);
+		    pane_move_index_clamped(t->ui.cell.row, key->amount, h->n);
 	else
-		move_cursor_sideways(t, key->amount);
+		move_cursor_by_columns_or_page(t, key->amount);
 	return true;
 }
 
 static const char *
-data_hints(const struct tui *t)
+data_page_hints(const struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	if (entry != NULL && !entry->has_params && h->looked &&
 	    site_count_products(entry->site) > 0)
 		return h->doctor.n == 0
@@ -599,7 +608,7 @@ data_hints(const struct tui *t)
 		   : N_("<-/-> column  Up/Down  !  Enter  ?  q  1-5 pages  :");
 }
 
-const struct page_ops page_data = {.hints_now = data_hints,
+const struct page_ops page_data = {.hints_now = data_page_hints,
     .update = update_doubtful_cells,
-    .draw = data_draw,
-    .move = data_move_cursor};
+    .draw = data_page_draw,
+    .move = data_page_move_cursor};

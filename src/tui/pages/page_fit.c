@@ -40,30 +40,30 @@ struct row {
 };
 
 static size_t
-count_parameters(const struct search_shown *past)
+count_searched_parameters(const struct search_shown *past)
 {
 	return breakage_model_of_params(&past->best)->n;
 }
 
 static void
-choose_parameter(struct tui *t, int by)
+move_parameter_cursor(struct tui *t, int by)
 {
-	struct search_shown past = tui_search_shown(t);
+	struct search_shown past = tui_calibration_history(t);
 	if (past.n == 0)
 		return;
 	/* The first key only shows which parameter is chosen. */
 	if (t->ui.param_at == 0)
 		t->ui.param_at = 1;
 	else
-		t->ui.param_at = 1 + pane_clamp_index(t->ui.param_at - 1, by,
-					 count_parameters(&past));
+		t->ui.param_at = 1 + pane_move_index_clamped(t->ui.param_at - 1,
+					 by, count_searched_parameters(&past));
 }
 
 void
-act_type_bounds(struct tui *t, const struct key *key)
+act_open_bounds_command(struct tui *t, const struct key *key)
 {
 	(void)key;
-	struct search_shown past = tui_search_shown(t);
+	struct search_shown past = tui_calibration_history(t);
 	if (past.n == 0)
 		return;
 	size_t j = t->ui.param_at > 0 ? t->ui.param_at - 1 : 0;
@@ -77,7 +77,7 @@ act_type_bounds(struct tui *t, const struct key *key)
 	t->ui.param_at = j + 1;
 	FREED char *line = xasprintf("bounds %s ", of->parameter[j].name);
 	edit_begin(&t->line, line);
-	tui_say(t, false,
+	tui_set_message(t, false,
 	    j < of->gauge ? N_("%s: %g..%g now; type low..high, or one value; "
 			       "the bar shows each beta divided by the "
 			       "largest, as only ratios matter")
@@ -89,7 +89,7 @@ static void
 on_click_parameter(struct tui *t, const struct mouse_event *touched)
 {
 	t->ui.param_at = touched->item;
-	act_type_bounds(t, NULL);
+	act_open_bounds_command(t, NULL);
 }
 
 /* Returns the cell of a bar, `width` cells long, where a value stands between
@@ -111,7 +111,7 @@ draw_bar_span(const struct row *r, const struct param_span *span,
 	int from = bar_cell_of_value(span, end[0], r->width);
 	int to = bar_cell_of_value(span, end[1], r->width);
 	for (int c = from; c <= to; c++)
-		screen_draw_series_text(
+		screen_draw_text_in_series_colour(
 		    r->side, r->row, NAME + BOUND + 1 + c, series, 0, sign);
 }
 
@@ -135,24 +135,24 @@ draw_parameter_bar(const struct row *r, const struct param_span *span)
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int end = NAME + BOUND + 1 + r->width;
 	char text[24];
-	screen_text(r->side, r->row, NAME, LOOK_DIM, "%*s|", BOUND,
+	screen_draw_text(r->side, r->row, NAME, LOOK_DIM, "%*s|", BOUND,
 	    short_number_text(span->lower, false, text));
-	screen_text(r->side, r->row, end, LOOK_DIM, "|%-*s", BOUND,
+	screen_draw_text(r->side, r->row, end, LOOK_DIM, "|%-*s", BOUND,
 	    short_number_text(span->upper, false, text));
 	if (isfinite(span->drawn[0]))
 		draw_bar_span(r, span, span->drawn, SERIES_PREDICTED,
 		    ascii ? "-" : "\u2500");
 	draw_bar_span(r, span, (double[]){span->p10, span->p90}, SERIES_FEED,
 	    ascii ? "=" : "\u2501");
-	screen_draw_series_text(r->side, r->row,
+	screen_draw_text_in_series_colour(r->side, r->row,
 	    NAME + BOUND + 1 + bar_cell_of_value(span, span->best, r->width),
 	    SERIES_PREDICTED, LOOK_BOLD, "*");
 }
 
 /* Draws "f_mat  0.01|  ==*=    |10    2.18".  A fixed parameter has no bar. */
 static void
-draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
-    const struct param_span *span)
+draw_parameter_row(const struct row *r, const char *name, bool scaled,
+    bool chosen, const struct param_span *span)
 {
 	int at = NAME + 2 * (BOUND + 1) + r->width;
 	/* Without room for the remark, the sign stands only for a value at the
@@ -162,25 +162,26 @@ draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
 			     : span->near   ? tr("NEAR BOUND")
 					    : "";
 	char text[24];
-	screen_text(
+	screen_draw_text(
 	    r->side, r->row, 0, chosen ? LOOK_REVERSE : LOOK_PLAIN, "%s", name);
 	/* For terminals that have no reverse. */
 	if (chosen)
-		screen_text(r->side, r->row, NAME - 1, LOOK_BOLD, ">");
+		screen_draw_text(r->side, r->row, NAME - 1, LOOK_BOLD, ">");
 	if (span->fixed)
-		screen_text(
+		screen_draw_text(
 		    r->side, r->row, NAME + BOUND + 1, LOOK_DIM, "held fixed");
 	else
 		draw_parameter_bar(r, span);
-	at = screen_text(r->side, r->row, at, marked ? LOOK_BOLD : LOOK_PLAIN,
-	    "%*s", VALUE - 1, short_number_text(span->best, scaled, text));
+	at = screen_draw_text(r->side, r->row, at,
+	    marked ? LOOK_BOLD : LOOK_PLAIN, "%*s", VALUE - 1,
+	    short_number_text(span->best, scaled, text));
 	if (marked)
-		screen_text(r->side, r->row, at, LOOK_BOLD, "!%s%s",
+		screen_draw_text(r->side, r->row, at, LOOK_BOLD, "!%s%s",
 		    r->wide ? " " : "", r->wide ? remark : "");
 }
 
 static int
-draw_parameters(struct tui *t, const struct search_shown *past, int row)
+draw_parameter_panel(struct tui *t, const struct search_shown *past, int row)
 {
 	const struct area *side = &t->layout.side;
 	const struct breakage *of = breakage_model_of_params(&past->best);
@@ -190,7 +191,7 @@ draw_parameters(struct tui *t, const struct search_shown *past, int row)
 	bool end =
 	    t->ui.generation == 0 && !session_entry_being_fitted(t->session);
 	bool ascii = screen_charset() == CHARSET_ASCII;
-	screen_text(side, row, 0, LOOK_DIM, "%s 80 %%  * %s%s%s",
+	screen_draw_text(side, row, 0, LOOK_DIM, "%s 80 %%  * %s%s%s",
 	    ascii ? "=" : "\u2501", end ? tr("polished") : tr("best"),
 	    !end    ? ""
 	    : ascii ? tr("  - draws")
@@ -201,10 +202,10 @@ draw_parameters(struct tui *t, const struct search_shown *past, int row)
 		struct param_span span = param_span_of_generation(
 		    t->session, past, t->ui.generation, j);
 		r.row++;
-		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
+		draw_parameter_row(&r, of->parameter[j].name, j < of->gauge,
 		    t->ui.param_at == j + 1, &span);
-		hits_add(&t->hits, HIT_PRESS, area_of_row(side, r.row),
-		    on_click_parameter, j + 1);
+		hits_add_mouse_handler(&t->hits, HIT_PRESS,
+		    area_of_row(side, r.row), on_click_parameter, j + 1);
 	}
 	return r.row + 1;
 }
@@ -221,18 +222,18 @@ stop_reason_text(enum calibrate_state stop)
 /* Draws "1.2 s  350000 candidates  pace auto".  The time left is not known,
  * because the polish goes on until it finds nothing better. */
 static int
-draw_search_effort(const struct tui *t, int row)
+draw_calibration_time_and_pace(const struct tui *t, int row)
 {
 	struct calibrate_status st =
 	    calibration_status(t->session->job.calibration);
-	double seconds = tui_search_seconds(t);
+	double seconds = tui_calibration_seconds(t);
 	char pace[32];
 	snprintf(pace, sizeof pace, tr("full"));
 	if (t->ui.pace == PACE_AUTO)
 		snprintf(pace, sizeof pace, tr("auto"));
 	else if (t->ui.pace < PACE_FULL)
 		snprintf(pace, sizeof pace, "%g/s", PACES[t->ui.pace]);
-	screen_text(&t->layout.side, row, 0, LOOK_DIM,
+	screen_draw_text(&t->layout.side, row, 0, LOOK_DIM,
 	    "%.1f s  %zu candidates  pace %s", seconds, st.evaluations, pace);
 	return row + 1;
 }
@@ -241,14 +242,15 @@ draw_search_effort(const struct tui *t, int row)
  * search shown did not replace the fit, "stopped; this stays: doubtful: ..".
  * The caller frees it. */
 static char *
-fit_verdict_text(const struct tui *t, const struct entry *entry)
+fit_stop_and_verdict_text(const struct tui *t, const struct entry *entry)
 {
 	struct trust light = trust_in_answer_or_fit(t->session, entry, NULL);
 	FREED char *verdict = xasprintf("%s%s%s",
 	    verdict_on_fit(t->session, entry, NULL), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
-	if (search_shown_is_running(t->session, tui_current_entry(t)) &&
+	if (is_calibration_of_site_running(
+		t->session, tui_current_site_entry(t)) &&
 	    t->session->job.held_back)
 		return xasprintf(tr("stopped; this stays: %s"), verdict);
 	return xasprintf(tr("%s; seed %llu; %s"),
@@ -267,16 +269,17 @@ posterior_draws_settled_text(const struct evidence *e)
 /* Draws the verdict when the end of a search is shown, in rows that the
  * parameters and the convergence leave free.  Returns the row after it. */
 static int
-draw_search_result(const struct tui *t, int row)
+draw_calibration_result(const struct tui *t, int row)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	const struct area *side = &t->layout.side;
 	if (!entry->has_fit || t->ui.generation > 0)
 		return row;
-	const struct posterior *p = posterior_for_comparison(t->session, entry);
+	const struct posterior *p =
+	    posterior_even_if_correction_off(t->session, entry);
 	int heads = 1 + (int)breakage_model_of_params(&entry->params)->n;
 	int room = side->rows - row - heads - CONVERGENCE - (p != NULL);
-	char *words = fit_verdict_text(t, entry);
+	char *words = fit_stop_and_verdict_text(t, entry);
 	int from = row;
 	row = screen_draw_wrapped_rows(
 	    side, row, room > 1 ? room : 1, 0, words, " .. :why");
@@ -285,7 +288,7 @@ draw_search_result(const struct tui *t, int row)
 		return row;
 	room -= row - from;
 	words = posterior_draws_settled_text(
-	    evidence_on_calibration(t->session, entry));
+	    trust_evidence_of_calibration(t->session, entry));
 	row = screen_draw_wrapped(side, row, 0, words);
 	free(words);
 	return row;
@@ -294,36 +297,36 @@ draw_search_result(const struct tui *t, int row)
 /* Draws the state of the search at the generation shown.  Returns the row after
  * it. */
 static int
-draw_search_state(const struct tui *t, const struct search_shown *past)
+draw_calibration_state(const struct tui *t, const struct search_shown *past)
 {
 	const struct area *side = &t->layout.side;
-	size_t at = tui_generation_without_polish(t);
+	size_t at = tui_shown_unpolished_generation(t);
 	const struct calibrate_generation *g = &past->generation[at - 1];
 	bool end = t->ui.generation == 0 && past->polished;
 	double best = misfit_as_rmse_points(past, end ? past->misfit : g->best);
 	int row = 0;
-	screen_text(side, row++, 0, LOOK_BOLD,
+	screen_draw_text(side, row++, 0, LOOK_BOLD,
 	    end ? N_("%sgeneration %zu of %zu, polished")
 		: N_("%sgeneration %zu of %zu"),
 	    session_is_calibrating(t->session) && t->held ? tr("PAUSED ") : "",
 	    at, past->n);
-	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
+	screen_draw_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
 	    best, misfit_as_rmse_points(past, g->median));
 	FREED char *words =
 	    t->computing != NULL
 		? xstrdup(t->computing)
-		: search_progress_text(t->session, past, t->ui.generation);
+		: fit_search_progress_text(t->session, past, t->ui.generation);
 	row = screen_draw_wrapped(side, row, LOOK_BOLD, words);
 	return session_entry_being_fitted(t->session)
-		   ? draw_search_effort(t, row)
-		   : draw_search_result(t, row);
+		   ? draw_calibration_time_and_pace(t, row)
+		   : draw_calibration_result(t, row);
 }
 
 static void
-draw_convergence(struct tui *t, int row)
+draw_convergence_plot(struct tui *t, int row)
 {
 	struct area below = t->layout.side;
-	area_cut(&below, EDGE_TOP, row);
+	area_cut_off_edge(&below, EDGE_TOP, row);
 	struct plot_request request = plots_default_request(PLOT_CONVERGENCE);
 	request.words = 0;
 	request.generation = t->ui.generation;
@@ -353,31 +356,33 @@ static void
 draw_params_in_words(const struct tui *t, const struct search_shown *past)
 {
 	const struct area *side = &t->layout.side;
-	const struct entry *entry = tui_current_entry(t);
-	size_t at = tui_generation_without_polish(t);
+	const struct entry *entry = tui_current_site_entry(t);
+	size_t at = tui_shown_unpolished_generation(t);
 	bool over = t->ui.generation == 0 &&
 		    !session_is_calibrating(t->session) && entry->has_fit;
 	double points = t->ui.generation == 0 ? past->misfit
 					      : past->generation[at - 1].best;
-	screen_text(side, 0, 0, LOOK_BOLD, "generation %zu: %.2f points RMS",
-	    at, misfit_as_rmse_points(past, points));
+	screen_draw_text(side, 0, 0, LOOK_BOLD,
+	    "generation %zu: %.2f points RMS", at,
+	    misfit_as_rmse_points(past, points));
 	char *words = parameters_text(t, past);
 	int row =
 	    screen_draw_wrapped_rows(side, 1, side->rows - 1, 0, words, " ..");
 	free(words);
-	words = over ? fit_verdict_text(t, entry)
-		     : search_progress_text(t->session, past, t->ui.generation);
+	words =
+	    over ? fit_stop_and_verdict_text(t, entry)
+		 : fit_search_progress_text(t->session, past, t->ui.generation);
 	screen_draw_wrapped_rows(
 	    side, row, side->rows - row, 0, words, over ? " .. :why" : " ..");
 	free(words);
 }
 
 static void
-draw_search_panel(struct tui *t)
+draw_calibration_side_panel(struct tui *t)
 {
 	enum { LOW = 12 };
 	const struct area *side = &t->layout.side;
-	struct search_shown past = tui_search_shown(t);
+	struct search_shown past = tui_calibration_history(t);
 	if (side->rows == 0)
 		return;
 	screen_draw_vertical_rule(side->row, t->layout.wall, side->rows);
@@ -386,18 +391,18 @@ draw_search_panel(struct tui *t)
 		return;
 	}
 	if (past.n > 0) {
-		int row = draw_search_state(t, &past);
-		draw_convergence(t, draw_parameters(t, &past, row));
+		int row = draw_calibration_state(t, &past);
+		draw_convergence_plot(t, draw_parameter_panel(t, &past, row));
 		return;
 	}
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	bool can = entry == NULL || site_count_products(entry->site) > 0;
 	bool before = entry != NULL && entry->has_fit;
-	screen_text(side, 0, 0, 0, "%s",
+	screen_draw_text(side, 0, 0, 0, "%s",
 	    before ? tr("search not kept: f starts a new one")
 	    : can  ? tr("not calibrated yet: f starts")
 		   : tr("no product: type :guess"));
-	screen_text(
+	screen_draw_text(
 	    side, 1, 0, 0, "%s", can ? tr("+ and -: pace of the search") : "");
 }
 
@@ -418,27 +423,29 @@ on_click_generations(struct tui *t, const struct mouse_event *touched)
 static bool
 caption(struct tui *t, const struct area *area)
 {
-	size_t n = tui_count_generations(t), at = tui_generation_shown(t);
+	size_t n = tui_count_generations(t),
+	       at = tui_shown_generation_number(t);
 	if (n == 0)
 		return false;
-	bool polished = n > tui_search_shown(t).n;
+	bool polished = n > tui_calibration_history(t).n;
 	char label[32], last[32];
-	int from = screen_text(area, 0, 0, 0, "generation 1 ");
+	int from = screen_draw_text(area, 0, 0, 0, "generation 1 ");
 	snprintf(last, sizeof last, polished ? tr(" polished") : " %zu", n);
 	int room = area->columns - from - (int)strlen(last) - 1;
 	if (room < 12)
 		return false;
-	hits_add(&t->hits, HIT_SLIDE, area_part_of_row(area, 0, from, room),
-	    on_click_generations, 0);
+	hits_add_mouse_handler(&t->hits, HIT_SLIDE,
+	    area_of_columns_in_row(area, 0, from, room), on_click_generations,
+	    0);
 	for (int c = 0; c < room; c++)
-		screen_text(area, 0, from + c, LOOK_DIM, "-");
-	screen_text(area, 0, from + room, 0, "%s", last);
+		screen_draw_text(area, 0, from + c, LOOK_DIM, "-");
+	screen_draw_text(area, 0, from + room, 0, "%s", last);
 	snprintf(label, sizeof label,
 	    polished && at == n ? tr("[polished]") : "[%zu]", at);
 	int length = (int)strlen(label);
 	double share = n > 1 ? (double)(at - 1) / (double)(n - 1) : 1;
 	int column = from + (int)lround(share * (room - length));
-	screen_text(area, 0, column, LOOK_REVERSE, "%s", label);
+	screen_draw_text(area, 0, column, LOOK_REVERSE, "%s", label);
 	t->cursor = (struct cursor){area->row, column};
 	return true;
 }
@@ -457,21 +464,23 @@ draw_legend_of_run(const struct area *area, int column, const struct site *site,
 		text_width_in_columns(name) >
 	    area->columns)
 		return column;
-	column = screen_draw_series_text(area, 0, column, look.series, 0, bar);
-	column =
-	    screen_draw_series_text(area, 0, column, SERIES_PREDICTED, 0, mark);
-	return screen_draw_series_text(area, 0, column, look.series, 0, name);
+	column = screen_draw_text_in_series_colour(
+	    area, 0, column, look.series, 0, bar);
+	column = screen_draw_text_in_series_colour(
+	    area, 0, column, SERIES_PREDICTED, 0, mark);
+	return screen_draw_text_in_series_colour(
+	    area, 0, column, look.series, 0, name);
 }
 
 /* Draws a legend of one row, because the plot's own legend would leave it
  * little room. */
 static void
-fit_draw_legend(const struct tui *t)
+fit_page_draw_legend(const struct tui *t)
 {
 	static const char *const BARS[] = {"\u2503", "\u2502", "\u250a"},
 				 *const ASCII[] = {"#", "|", ":"};
 	const struct area *area = &t->layout.legend;
-	const struct search_shown past = tui_search_shown(t);
+	const struct search_shown past = tui_calibration_history(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	const char *means = tr("bar: middle 80 %, mark: best  "),
 		   *noise = ascii ? tr(", noise") : tr("\u2508 noise");
@@ -487,30 +496,31 @@ fit_draw_legend(const struct tui *t)
 	}
 	if (column + text_width_in_columns(means) > area->columns)
 		return;
-	column = screen_draw_series_text(
+	column = screen_draw_text_in_series_colour(
 	    area, 0, column, SERIES_PREDICTED, 0, means);
 	if (column + text_width_in_columns(noise) <= area->columns)
-		screen_draw_series_text(area, 0, column, SERIES_FEED, 0, noise);
+		screen_draw_text_in_series_colour(
+		    area, 0, column, SERIES_FEED, 0, noise);
 }
 
 static void
-fit_draw(struct tui *t)
+fit_page_draw(struct tui *t)
 {
 	enum { TALL = 20, LOW = 9 };
-	bool any = tui_search_shown(t).n > 0;
+	bool any = tui_calibration_history(t).n > 0;
 	struct layout *l = &t->layout;
 	/* Without rows for a plot, the state of the search is shown as text. */
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
 	    t->ui.picture == PLOT_SEARCH) {
 		l->side = l->plot;
-		draw_search_panel(t);
+		draw_calibration_side_panel(t);
 		return;
 	}
 	struct plot_request request =
 	    plots_default_request(any ? t->ui.picture : PLOT_PSD);
 	request.words = CHART_TITLE;
 	request.asked.speed = tui_slider_speed(t);
-	request.asked.feed = tui_feed_run(t);
+	request.asked.feed = tui_run_index_of_feed(t);
 	request.generation = t->ui.generation;
 	bool own = request.kind == PLOT_SEARCH && t->layout.plot.rows < TALL;
 	if (own)
@@ -518,12 +528,12 @@ fit_draw(struct tui *t)
 	else
 		pane_draw_curves(t, &request, request.kind == PLOT_PSD);
 	if (own && t->layout.legend.rows > 0)
-		fit_draw_legend(t);
-	draw_search_panel(t);
+		fit_page_draw_legend(t);
+	draw_calibration_side_panel(t);
 }
 
 static const char *
-fit_hints(const struct tui *t)
+fit_page_hints(const struct tui *t)
 {
 	bool busy = session_is_calibrating(t->session);
 	if (busy && !t->session->job.fits)
@@ -531,18 +541,19 @@ fit_hints(const struct tui *t)
 			       : N_("Space  Esc stop  ?  q  :");
 	return busy && t->held ? N_("Space continue  .  ?  q  s  Down Enter  v")
 	       : busy          ? "Space  .  ?  q  s  +/-  v"
-	       : tui_search_shown(t).n > 0 ? N_("<-/-> generation  1 predict  "
-						"f again  ?  q  Down Enter  "
-						"v")
-					   : "f  ?  q  +/-  :";
+	       : tui_calibration_history(t).n > 0
+		   ? N_("<-/-> generation  1 predict  "
+			"f again  ?  q  Down Enter  "
+			"v")
+		   : "f  ?  q  +/-  :";
 }
 
 static void
 move_shown_generation_by(struct tui *t, int by)
 {
-	size_t at = tui_generation_shown(t) - 1;
+	size_t at = tui_shown_generation_number(t) - 1;
 	tui_show_generation(
-	    t, pane_clamp_index(at, by, tui_count_generations(t)) + 1);
+	    t, pane_move_index_clamped(at, by, tui_count_generations(t)) + 1);
 }
 
 /* Runs the next generation of a running search; of a finished search, shows the
@@ -574,11 +585,11 @@ act_next_plot(struct tui *t, const struct key *key)
 /* Left and Right move through the generations, Up and Down through the
  * parameters. */
 static bool
-fit_move_by_key(struct tui *t, const struct key *key)
+fit_page_move_by_key(struct tui *t, const struct key *key)
 {
 	if (key->act == act_move_in_list)
-		choose_parameter(t, key->amount);
-	else if (tui_search_shown(t).n == 0)
+		move_parameter_cursor(t, key->amount);
+	else if (tui_calibration_history(t).n == 0)
 		return false;
 	else if (key->act == act_move_to_end)
 		tui_show_generation(
@@ -589,23 +600,24 @@ fit_move_by_key(struct tui *t, const struct key *key)
 }
 
 static char *
-fit_plot_name(const struct tui *t)
+fit_page_plot_arguments(const struct tui *t)
 {
 	static const char *const NAMES[] = {[PLOT_SEARCH] = "search",
 	    [PLOT_CONVERGENCE] = "convergence",
 	    [PLOT_SPREAD] = "spread"};
-	bool curves = t->ui.picture == PLOT_PSD || tui_search_shown(t).n == 0;
-	char *line =
-	    curves ? pane_curves_plot_name(t) : xstrdup(NAMES[t->ui.picture]);
+	bool curves =
+	    t->ui.picture == PLOT_PSD || tui_calibration_history(t).n == 0;
+	char *line = curves ? pane_curves_plot_arguments(t)
+			    : xstrdup(NAMES[t->ui.picture]);
 	if (t->ui.generation > 0)
 		xappend(&line, " generation=%zu", t->ui.generation);
 	return line;
 }
 
-const struct page_ops page_fit = {.hints_now = fit_hints,
+const struct page_ops page_fit = {.hints_now = fit_page_hints,
     .side = 40,
     .wide_side = 58,
-    .draw = fit_draw,
+    .draw = fit_page_draw,
     .caption = caption,
-    .move = fit_move_by_key,
-    .words = fit_plot_name};
+    .move = fit_page_move_by_key,
+    .words = fit_page_plot_arguments};

@@ -21,13 +21,13 @@
 /* ---- The runs compared ---- */
 
 static struct trials
-heldout_runs_of_site(const struct session *s, size_t index)
+validate_heldout_runs_of_site(const struct session *s, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
 	struct error error = {0};
 	struct trials found = {.n = 0};
 	if (entry->has_params && answers_require_params(s, entry, &error))
-		trials_add_held_out_of_entry(&found, s, index,
+		trials_add_held_out_runs_of_site(&found, s, index,
 		    posterior_of_calibration(s, entry, CORRECTION_TRAIN));
 	return found;
 }
@@ -57,7 +57,7 @@ add_marks_of_chosen_run(struct chart *chart)
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct chart_series look = *chart->series[chart->n - PSD_SIZES];
 		look.lifted = true;
-		chart_add(chart, look, 1, "%s", "");
+		chart_append_series(chart, look, 1, "%s", "");
 	}
 }
 
@@ -87,12 +87,12 @@ parity_update(struct tui *t)
 	while (y->next < s->n_entry) {
 		if (!t->aside && y->next > 0)
 			frame_draw(t);
-		struct trials found = heldout_runs_of_site(s, y->next);
+		struct trials found = validate_heldout_runs_of_site(s, y->next);
 		if (!t->aside && signals_is_stop_wanted()) {
 			trials_clear(&found);
 			return;
 		}
-		trials_append(&y->runs, &found);
+		trials_append_all(&y->runs, &found);
 		y->next++;
 	}
 	if (t->ui.list[PAGE_PARITY].at >= y->runs.n)
@@ -106,9 +106,11 @@ static const struct answer *
 find_leave_one_out_answer(const struct session *s)
 {
 	for (size_t i = s->n_answer; i-- > 0;)
-		if (strcmp(answer_command(s->answer[i]), "validate") == 0 &&
-		    answer_find_number(s->answer[i], "holdout_each") == 1 &&
-		    !isnan(answer_find_number(s->answer[i], "p50.r2")))
+		if (strcmp(answer_command_name(s->answer[i]), "validate") ==
+			0 &&
+		    answer_find_json_number(s->answer[i], "holdout_each") ==
+			1 &&
+		    !isnan(answer_find_json_number(s->answer[i], "p50.r2")))
 			return s->answer[i];
 	return NULL;
 }
@@ -116,29 +118,29 @@ find_leave_one_out_answer(const struct session *s)
 /* ---- On the screen ---- */
 
 static void
-draw_score_row(const struct area *area, int row, const char *size, double n,
-    double bias, double rms, double r2)
+draw_bias_and_rms_row(const struct area *area, int row, const char *size,
+    double n, double bias, double rms, double r2)
 {
 	char last[16] = "-";
 	if (!isnan(r2))
 		snprintf(last, sizeof last, "%.4f", r2);
 	if (n > 0)
-		screen_text(area, row, 0, 0, "%-5s%6.0f %+8.2f %7.2f %8s", size,
-		    n, 100 * bias, 100 * rms, last);
+		screen_draw_text(area, row, 0, 0, "%-5s%6.0f %+8.2f %7.2f %8s",
+		    size, n, 100 * bias, 100 * rms, last);
 	else
-		screen_text(area, row, 0, 0, "%-5s%6s %8s %7s %8s", size, "-",
-		    "-", "-", last);
+		screen_draw_text(area, row, 0, 0, "%-5s%6s %8s %7s %8s", size,
+		    "-", "-", "-", last);
 }
 
 static int
 draw_score_rows(const struct area *area, int row, const char *who,
     const struct trials *runs, enum validate_way way)
 {
-	screen_text(area, row++, 0, LOOK_BOLD, "%s", who);
+	screen_draw_text(area, row++, 0, LOOK_BOLD, "%s", who);
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct validate_score score =
 		    trials_score_at_size(runs, way, i);
-		draw_score_row(area, row++, PSD_NAME[i], (double)score.n,
+		draw_bias_and_rms_row(area, row++, PSD_NAME[i], (double)score.n,
 		    score.bias, score.rms, score.r2);
 	}
 	return row;
@@ -151,7 +153,8 @@ draw_leave_one_out_scores(const struct tui *t, const struct area *area, int row)
 	if (r == NULL)
 		return screen_draw_wrapped(area, row, LOOK_DIM,
 		    tr("leave-one-out: :validate all holdout=each"));
-	screen_text(area, row++, 0, LOOK_BOLD, "model, each speed held out");
+	screen_draw_text(
+	    area, row++, 0, LOOK_BOLD, "model, each speed held out");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		double x[4];
 		static const char *const WHAT[] = {
@@ -160,10 +163,10 @@ draw_leave_one_out_scores(const struct tui *t, const struct area *area, int row)
 			char path[32];
 			snprintf(
 			    path, sizeof path, "%s.%s", PSD_KEY[i], WHAT[k]);
-			x[k] = answer_find_number(r, path);
+			x[k] = answer_find_json_number(r, path);
 		}
-		draw_score_row(area, row++, PSD_NAME[i], x[0], x[1] / 100,
-		    x[2] / 100, x[3]);
+		draw_bias_and_rms_row(area, row++, PSD_NAME[i], x[0],
+		    x[1] / 100, x[2] / 100, x[3]);
 	}
 	return row;
 }
@@ -231,17 +234,17 @@ static const struct page_list POINTS = {.n = parity_count_runs,
 
 /* Draws statistics and runs beside the plot. */
 static void
-draw_parity_panel(struct tui *t, const struct area *area)
+draw_parity_side_panel(struct tui *t, const struct area *area)
 {
 	const struct parity *y = &t->view.parity;
 	size_t sites;
 	free(trials_data_sources_text(&y->runs, &sites));
-	screen_text(area, 0, 0, LOOK_BOLD,
+	screen_draw_text(area, 0, 0, LOOK_BOLD,
 	    tr_n("held-out runs: %zu of %zu site",
 		"held-out runs: %zu of %zu sites", sites),
 	    y->runs.n, sites);
-	screen_text(area, 1, 0, LOOK_DIM, "%-5s%6s %8s %7s %8s", "", tr("runs"),
-	    tr("bias %"), tr("rms %"), "R2");
+	screen_draw_text(area, 1, 0, LOOK_DIM, "%-5s%6s %8s %7s %8s", "",
+	    tr("runs"), tr("bias %"), tr("rms %"), "R2");
 	int row =
 	    draw_score_rows(area, 2, tr("model"), &y->runs, VALIDATE_MODEL);
 	row = draw_score_rows(area, row, tr("corrected by the training runs"),
@@ -249,7 +252,7 @@ draw_parity_panel(struct tui *t, const struct area *area)
 	row = draw_leave_one_out_scores(t, area, row);
 	row += row + 1 < area->rows - 4;
 	struct area points = *area;
-	area_cut(&points, EDGE_TOP, row);
+	area_cut_off_edge(&points, EDGE_TOP, row);
 	int wanted[LIST_COLUMNS];
 	table_measure_columns(t, &TABLE, y->runs.n, wanted);
 	table_draw(t, &points, &TABLE, wanted);
@@ -257,14 +260,14 @@ draw_parity_panel(struct tui *t, const struct area *area)
 
 /* Draws one line of statistics, where there is no room for the panel. */
 static void
-draw_statistics_line(const struct tui *t, const struct area *area)
+draw_parity_statistics_line(const struct tui *t, const struct area *area)
 {
 	struct validate_score score =
 	    trials_score_at_size(&t->view.parity.runs, VALIDATE_MODEL, 1);
 	char r2[16] = "-";
 	if (!isnan(score.r2))
 		snprintf(r2, sizeof r2, "%.3f", score.r2);
-	screen_text(area, 0, 0, 0, "P50: bias %+.1f %% rms %.1f %% R2 %s",
+	screen_draw_text(area, 0, 0, 0, "P50: bias %+.1f %% rms %.1f %% R2 %s",
 	    100 * score.bias, 100 * score.rms, r2);
 }
 
@@ -299,7 +302,7 @@ draw_why_no_parity(const struct tui *t, const struct area *area)
 }
 
 static void
-parity_draw(struct tui *t)
+parity_page_draw(struct tui *t)
 {
 	enum { NARROW = 70, WIDE = 120, PANEL = 37, WIDE_PANEL = 62, GAP = 2 };
 	struct area plot = pane_list_area(t), side;
@@ -308,19 +311,19 @@ parity_draw(struct tui *t)
 		return;
 	}
 	if (plot.columns >= NARROW) {
-		side = area_cut(&plot, EDGE_RIGHT,
+		side = area_cut_off_edge(&plot, EDGE_RIGHT,
 		    plot.columns >= WIDE ? WIDE_PANEL : PANEL);
-		area_cut(&plot, EDGE_RIGHT, GAP);
-		draw_parity_panel(t, &side);
+		area_cut_off_edge(&plot, EDGE_RIGHT, GAP);
+		draw_parity_side_panel(t, &side);
 	} else if (plot.rows > 3) {
-		side = area_cut(&plot, EDGE_TOP, 1);
-		draw_statistics_line(t, &side);
+		side = area_cut_off_edge(&plot, EDGE_TOP, 1);
+		draw_parity_statistics_line(t, &side);
 	}
 	draw_parity_chart(t, &plot);
 }
 
 static char *
-parity_plot_name(const struct tui *t)
+parity_page_plot_arguments(const struct tui *t)
 {
 	(void)t;
 	return xstrdup("parity");
@@ -329,6 +332,6 @@ parity_plot_name(const struct tui *t)
 const struct page_ops page_parity = {
     .hints = N_("Up/Down run  ?  q  1-5 pages  :"),
     .update = parity_update,
-    .draw = parity_draw,
+    .draw = parity_page_draw,
     .list = &POINTS,
-    .words = parity_plot_name};
+    .words = parity_page_plot_arguments};

@@ -56,7 +56,7 @@ draw_way_to_start(struct tui *t, const struct area *line, size_t i,
     unsigned look, const void *of)
 {
 	(void)t, (void)of;
-	screen_text(line, 0, 1, look, "%s", tr(WAYS[i].name));
+	screen_draw_text(line, 0, 1, look, "%s", tr(WAYS[i].name));
 }
 
 /* Draws the ways in the middle of the page, with a description of the chosen
@@ -75,8 +75,9 @@ draw_ways_to_start(struct tui *t)
 	int spare = area.rows - n - (title ? 2 : 0) - (what ? 1 + WHAT : 0);
 	int row = spare > 0 ? spare / 3 : 0;
 	if (title)
-		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
-	area_cut(&area, EDGE_TOP, row + (title ? 2 : 0));
+		screen_draw_text(
+		    &area, row, 0, LOOK_BOLD, "No site is loaded yet:");
+	area_cut_off_edge(&area, EDGE_TOP, row + (title ? 2 : 0));
 	row = list_draw_rows(t, &area, draw_way_to_start, NULL);
 	if (what)
 		screen_draw_wrapped(&area, row + 1, 0,
@@ -86,7 +87,7 @@ draw_ways_to_start(struct tui *t)
 /* ---- The curves ---- */
 
 static void
-predict_draw_measured_curves(struct tui *t)
+predict_page_draw_measured_curves(struct tui *t)
 {
 	struct plot_request request = plots_default_request(PLOT_RUNS);
 	request.words = 0;
@@ -94,11 +95,11 @@ predict_draw_measured_curves(struct tui *t)
 }
 
 static void
-predict_draw(struct tui *t)
+predict_page_draw(struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
 	struct plot_request request = plots_default_request(PLOT_PSD);
-	if (tui_current_entry(t) == NULL) {
+	if (tui_current_site_entry(t) == NULL) {
 		draw_ways_to_start(t);
 		return;
 	}
@@ -107,13 +108,13 @@ predict_draw(struct tui *t)
 		return;
 	}
 	if (t->ui.runs) {
-		predict_draw_measured_curves(t);
+		predict_page_draw_measured_curves(t);
 		panel_draw(t);
 		return;
 	}
 	request.words = 0;
 	request.asked.speed = tui_slider_speed(t);
-	request.asked.feed = tui_feed_run(t);
+	request.asked.feed = tui_run_index_of_feed(t);
 	request.band = t->ui.band;
 	if (p->product.n > 0 && t->view.of.speed == request.asked.speed)
 		request.made = p;
@@ -124,7 +125,7 @@ predict_draw(struct tui *t)
 	}
 	if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n)
 		request.crosshair_mm =
-		    units_mm(p->product.size[t->ui.crosshair_sieve]);
+		    units_m_to_mm(p->product.size[t->ui.crosshair_sieve]);
 	pane_draw_curves(t, &request, t->layout.side.rows == 0);
 	panel_draw(t);
 }
@@ -139,30 +140,30 @@ act_move_crosshair_passing(struct tui *t, const struct key *key)
 
 /* Shows all numbers or, before a calibration, starts one. */
 void
-act_show_all_numbers(struct tui *t, const struct key *key)
+act_show_numbers_or_calibrate(struct tui *t, const struct key *key)
 {
-	if (tui_current_entry(t) == NULL) {
+	if (tui_current_site_entry(t) == NULL) {
 		act_open_row(t, key);
 		return;
 	}
-	if (!tui_current_entry(t)->has_params &&
-	    site_count_products(tui_current_entry(t)->site) > 0 &&
+	if (!tui_current_site_entry(t)->has_params &&
+	    site_count_products(tui_current_site_entry(t)->site) > 0 &&
 	    !session_is_calibrating(t->session)) {
 		act_calibrate(t, key);
 		return;
 	}
 	FREED char *line = tui_command_at_slider(t);
 	if (t->view.shown.product.n == 0)
-		tui_say(t, true, "%s", tui_why_no_prediction(t));
-	else if (control_run_command(t, line))
+		tui_set_message(t, true, "%s", tui_why_no_prediction(t));
+	else if (control_run_command_captured(t, line))
 		captured_show_output(t);
 }
 
 void
-act_show_all_runs(struct tui *t, const struct key *key)
+act_toggle_all_runs_view(struct tui *t, const struct key *key)
 {
 	(void)key;
-	t->ui.runs = tui_current_entry(t) != NULL && !t->ui.runs;
+	t->ui.runs = tui_current_site_entry(t) != NULL && !t->ui.runs;
 	t->ui.goal_view = false;
 }
 
@@ -180,7 +181,7 @@ move_crosshair_by_key(struct tui *t, const struct key *key)
 		return true;
 	}
 	t->ui.crosshair_sieve =
-	    pane_clamp_index(t->ui.crosshair_sieve, key->amount, n);
+	    pane_move_index_clamped(t->ui.crosshair_sieve, key->amount, n);
 	return true;
 }
 
@@ -197,9 +198,9 @@ act_toggle_crosshair(struct tui *t, const struct key *key)
 	if (t->ui.crosshair)
 		pages_go_to(t, PAGE_PREDICT);
 	if (t->view.shown.product.n == 0)
-		tui_say(t, true, "%s", tui_why_no_prediction(t));
+		tui_set_message(t, true, "%s", tui_why_no_prediction(t));
 	else if (t->ui.crosshair)
-		tui_say(t, false, "sieve: Up, Down; passing: < and >");
+		tui_set_message(t, false, "sieve: Up, Down; passing: < and >");
 }
 
 /* Moves the crosshair to the sieve nearest to a size, m, by ratio, as on the
@@ -217,7 +218,7 @@ move_crosshair_to_size(struct tui *t, double size)
 }
 
 static void
-put_crosshair_at_click(struct tui *t, enum plot_kind kind, double x, double y)
+move_crosshair_to_click(struct tui *t, enum plot_kind kind, double x, double y)
 {
 	(void)y;
 	if (kind != PLOT_PSD)
@@ -231,32 +232,32 @@ put_crosshair_at_click(struct tui *t, enum plot_kind kind, double x, double y)
 }
 
 static char *
-predict_plot_name(const struct tui *t)
+predict_page_plot_arguments(const struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
 	if (goal_is_viewed(t)) {
-		FREED char *of = quantities_typed_text(&t->ui.quantity);
+		FREED char *of = quantities_text_to_type(&t->ui.quantity);
 		return xasprintf("response of=\"%s\"", of);
 	}
 	if (t->ui.runs)
 		return xstrdup("runs");
-	char *words = pane_curves_plot_name(t);
+	char *words = pane_curves_plot_arguments(t);
 	if (t->view.pinned.site[0] != '\0')
 		xappend(&words, " beside=pinned");
 	if (t->ui.band)
 		xappend(&words, " band=on");
 	if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n)
 		xappend(&words, " at=%g level=%d",
-		    units_mm(p->product.size[t->ui.crosshair_sieve]),
+		    units_m_to_mm(p->product.size[t->ui.crosshair_sieve]),
 		    t->ui.crosshair_passing);
 	return words;
 }
 
 static const char *
-predict_hints(const struct tui *t)
+predict_page_hints(const struct tui *t)
 {
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
-	if (tui_current_entry(t) == NULL)
+	if (tui_current_site_entry(t) == NULL)
 		return N_("Up/Down, Enter choose  ?  q  o open  :");
 	if (goal_is_viewed(t))
 		return N_("<-/->  n p  N  Up/Down condition  T back  t  ?  q  "
@@ -269,7 +270,7 @@ predict_hints(const struct tui *t)
 		return "<-/->  U  ?  q  f  :  t  x  e  u";
 	if (t->view.current.site[0] == '\0' &&
 	    !session_is_calibrating(t->session))
-		return site_count_products(tui_current_entry(t)->site) > 0
+		return site_count_products(tui_current_site_entry(t)->site) > 0
 			   ? N_("Enter calibrate  ?  q  :  o  1-5 pages")
 			   : N_(":  ?  q  o  1-5 pages");
 	if (t->view.pinned.site[0] != '\0')
@@ -280,7 +281,7 @@ predict_hints(const struct tui *t)
 				"u");
 	return goals_is_set(t->session)
 		   ? "<-/->  n p  N  T  x  ?  Enter  q  e  :  t"
-	       : answers_is_sheet_in_rpm(tui_current_entry(t)->site)
+	       : answers_is_sheet_in_rpm(tui_current_site_entry(t)->site)
 		   ? "<-/->  =1450  t  ?  Enter  q  f  x  e  :  c  u"
 		   : "<-/->  =72  t  ?  Enter  q  f  x  e  :  c  u";
 }
@@ -288,35 +289,35 @@ predict_hints(const struct tui *t)
 /* Counts the rows of the page's list: the ways to open a site, or the
  * conditions of the goal. */
 static size_t
-predict_count_rows(const struct tui *t)
+predict_page_count_rows(const struct tui *t)
 {
-	return tui_current_entry(t) == NULL ? ARRAY_LEN(WAYS)
-	       : goal_is_viewed(t)          ? t->view.goal.list.n
-					    : 0;
+	return tui_current_site_entry(t) == NULL ? ARRAY_LEN(WAYS)
+	       : goal_is_viewed(t)               ? t->view.goal.list.n
+						 : 0;
 }
 
 static void
-predict_open_row(struct tui *t)
+predict_page_open_picker(struct tui *t)
 {
 	size_t at = t->ui.list[PAGE_PREDICT].at;
-	if (tui_current_entry(t) == NULL && at < ARRAY_LEN(WAYS))
+	if (tui_current_site_entry(t) == NULL && at < ARRAY_LEN(WAYS))
 		file_picker_open(t, WAYS[at].list);
 }
 
-static const struct page_list LIST = {.n = predict_count_rows,
-    .chosen = goal_show_chosen_quantity,
-    .open = predict_open_row};
+static const struct page_list LIST = {.n = predict_page_count_rows,
+    .chosen = goal_show_condition_quantity,
+    .open = predict_page_open_picker};
 
-const struct page_ops page_predict = {.hints_now = predict_hints,
+const struct page_ops page_predict = {.hints_now = predict_page_hints,
     .side = 24,
     .middle_side = 34,
     .wide_side = 36,
     .differences = true,
     .strip = true,
     .update = envelope_check_update,
-    .draw = predict_draw,
+    .draw = predict_page_draw,
     .list = &LIST,
     .list_rows = goal_view_count_rows,
     .move = move_crosshair_by_key,
-    .point = put_crosshair_at_click,
-    .words = predict_plot_name};
+    .point = move_crosshair_to_click,
+    .words = predict_page_plot_arguments};

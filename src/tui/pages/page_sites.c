@@ -59,7 +59,7 @@ static const struct list_column COLUMN[COLUMNS] = {
 /* Computes the P50 at the slider's speed: for the site in use with the feed of
  * page Predict, for others with their mean feed. */
 static void
-compute_row_p50(struct site_row *row, const struct tui *t)
+compute_site_row_p50(struct site_row *row, const struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *e = &s->entry[row->entry];
@@ -69,10 +69,10 @@ compute_row_p50(struct site_row *row, const struct tui *t)
 	row->beyond = false;
 	if (!answers_require_params(s, e, &error))
 		return;
-	bool here = e == tui_current_entry(t);
-	struct prediction p =
-	    forecast_whole_product(s, here ? tui_entry_for_prediction(t) : e,
-		speed, here ? tui_feed_run(t) : SITE_MEAN_FEED);
+	bool here = e == tui_current_site_entry(t);
+	struct prediction p = forecast_whole_product(s,
+	    here ? tui_site_entry_for_prediction(t) : e, speed,
+	    here ? tui_run_index_of_feed(t) : SITE_MEAN_FEED);
 	row->p50 = 1000 * p.p50;
 	row->beyond = answers_is_speed_extrapolated(e, speed);
 	prediction_free(&p);
@@ -86,7 +86,7 @@ make_site_row(const struct session *s, size_t i)
 	struct site_row row = {.entry = i,
 	    .p50 = NAN,
 	    .has_light = e->has_params,
-	    .holdout = e->has_fit ? 100 * fit_holdout_rmse(e) : NAN};
+	    .holdout = e->has_fit ? 100 * fit_largest_holdout_rmse(e) : NAN};
 	/* The light of a site that is being calibrated is not known yet. */
 	row.has_light = row.has_light && session_entry_being_fitted(s) != e;
 	if (row.has_light) {
@@ -109,7 +109,7 @@ run_speeds_text(const struct entry *e)
 		if (e->site->run[r].product.n > 0)
 			xappend_to_list(&text, " ", "%s%g",
 			    e->train[r] ? "" : "o",
-			    answers_speed_number(
+			    answers_speed_in_sheet_unit(
 				e->site, e->site->run[r].speed));
 	if (text[0] != '\0' && strlen(text) <= MOST) {
 		const char *unit =
@@ -125,14 +125,14 @@ run_speeds_text(const struct entry *e)
 }
 
 static const char *
-params_origin_text(const struct session *s, const struct site_row *row)
+params_status_text(const struct session *s, const struct site_row *row)
 {
 	const struct entry *e = &s->entry[row->entry];
 	return row->verdict != NULL              ? row->verdict
 	       : e->has_fit                      ? tr("calibrating")
 	       : !e->has_params                  ? tr("not calibrated")
 	       : origin_is_from_store(e->origin) ? tr("from the store")
-						 : origin_source_text(e);
+						 : origin_of_params_text(e);
 }
 
 /* Returns the progress of a site's calibration, which may be one of several in
@@ -157,7 +157,7 @@ calibration_progress_text(const struct tui *t, size_t i)
 
 /* Returns the number in a column; NAN if it has none, or words. */
 static double
-site_number_in_column(
+site_row_column_value(
     const struct session *s, const struct site_row *row, enum column column)
 {
 	const struct entry *e = &s->entry[row->entry];
@@ -165,7 +165,7 @@ site_number_in_column(
 	case LIGHT:
 		return row->has_light ? (double)row->light : NAN;
 	case TOP:
-		return e->site->top_size > 0 ? units_mm(e->site->top_size)
+		return e->site->top_size > 0 ? units_m_to_mm(e->site->top_size)
 					     : NAN;
 	case RUNS:
 		return (double)site_count_products(e->site);
@@ -188,7 +188,7 @@ static char *
 number_cell_text(
     const struct tui *t, const struct site_row *row, enum column column)
 {
-	double x = site_number_in_column(t->session, row, column);
+	double x = site_row_column_value(t->session, row, column);
 	if (isnan(x))
 		return xstrdup("-");
 	if (column == TOP || column == GENERATIONS)
@@ -199,7 +199,7 @@ number_cell_text(
 }
 
 static char *
-site_cell_text(const struct tui *t, size_t i, int column)
+site_list_cell_text(const struct tui *t, size_t i, int column)
 {
 	const struct session *s = t->session;
 	const struct site_row *row = &t->view.row[i];
@@ -219,7 +219,7 @@ site_cell_text(const struct tui *t, size_t i, int column)
 	case RUNS:
 		return run_speeds_text(e);
 	case PARAMETERS:
-		return xstrdup(params_origin_text(s, row));
+		return xstrdup(params_status_text(s, row));
 	case MACHINE:
 		return xstrdup(e->site->machine);
 	default:
@@ -230,12 +230,12 @@ site_cell_text(const struct tui *t, size_t i, int column)
 /* ---- The order of the rows ---- */
 
 static const char *
-sort_text_of_row(
+sort_text_of_site_row(
     const struct session *s, const struct site_row *row, enum column column)
 {
 	const struct entry *e = &s->entry[row->entry];
 	return column == ROCK         ? e->site->rock
-	       : column == PARAMETERS ? params_origin_text(s, row)
+	       : column == PARAMETERS ? params_status_text(s, row)
 	       : column == MACHINE    ? e->site->machine
 				      : e->key;
 }
@@ -243,21 +243,21 @@ sort_text_of_row(
 /* Returns true if row a is sorted after b.  Rows without a number or word are
  * last in either direction. */
 static bool
-is_sorted_after(
+is_site_row_sorted_after(
     const struct tui *t, const struct site_row *a, const struct site_row *b)
 {
 	if (t->ui.sort == 0)
 		return t->ui.sort_down ? a->entry < b->entry
 				       : a->entry > b->entry;
 	enum column column = (enum column)(t->ui.sort - 1);
-	double x = site_number_in_column(t->session, a, column),
-	       y = site_number_in_column(t->session, b, column);
+	double x = site_row_column_value(t->session, a, column),
+	       y = site_row_column_value(t->session, b, column);
 	double by = x - y;
 	if (isnan(x) != isnan(y))
 		return isnan(x);
 	if (isnan(by)) {
-		const char *v = sort_text_of_row(t->session, a, column);
-		const char *w = sort_text_of_row(t->session, b, column);
+		const char *v = sort_text_of_site_row(t->session, a, column);
+		const char *w = sort_text_of_site_row(t->session, b, column);
 		if ((v[0] == '\0') != (w[0] == '\0'))
 			return v[0] == '\0';
 		by = strcmp(v, w);
@@ -272,7 +272,8 @@ sites_sort_rows(struct tui *t)
 	for (size_t i = 1; i < t->view.n_row; i++) {
 		struct site_row row = t->view.row[i];
 		size_t k = i;
-		for (; k > 0 && is_sorted_after(t, &t->view.row[k - 1], &row);
+		for (; k > 0 &&
+		       is_site_row_sorted_after(t, &t->view.row[k - 1], &row);
 		     k--)
 			t->view.row[k] = t->view.row[k - 1];
 		t->view.row[k] = row;
@@ -282,7 +283,7 @@ sites_sort_rows(struct tui *t)
 /* Sorts by a column: ascending at first, then in the other direction.  column
  * -1: the order in which sites were loaded. */
 static void
-sort_by_column(struct tui *t, int column)
+sort_sites_by_column(struct tui *t, int column)
 {
 	int by = column + 1;
 	t->ui.sort_down = by == t->ui.sort && !t->ui.sort_down;
@@ -303,13 +304,13 @@ colour_of_light_cell(const struct tui *t, size_t i, int column,
 	       strcmp(text, LIGHT_NAME[row->light]) == 0;
 }
 
-static const struct list_table TABLE = {
-    COLUMN, COLUMNS, site_cell_text, colour_of_light_cell, sort_by_column};
+static const struct list_table TABLE = {COLUMN, COLUMNS, site_list_cell_text,
+    colour_of_light_cell, sort_sites_by_column};
 
 /* Computes the rows.  What does not depend on the speed is computed only if the
  * session has changed (rows_at 0). */
 static void
-update_site_rows(struct tui *t)
+update_rows_of_page_sites(struct tui *t)
 {
 	const struct session *s = t->session;
 	bool other = t->view.rows_at == 0 || t->view.n_row != s->n_entry;
@@ -323,7 +324,7 @@ update_site_rows(struct tui *t)
 			t->view.row[i] = make_site_row(s, i);
 	}
 	for (size_t i = 0; i < t->view.n_row; i++)
-		compute_row_p50(&t->view.row[i], t);
+		compute_site_row_p50(&t->view.row[i], t);
 	if (other)
 		table_measure_columns(
 		    t, &TABLE, t->view.n_row, t->view.site_width);
@@ -339,14 +340,14 @@ update_site_rows(struct tui *t)
  * last is left out first. */
 enum { ABOUT = 4 };
 static void
-fill_site_descriptions(const struct tui *t, char *text[static ABOUT])
+write_selected_site_texts(const struct tui *t, char *text[static ABOUT])
 {
 	const struct entry *e = &t->session->entry[t->ui.list[PAGE_SITES].at];
 	const struct breakage *of = breakage_model_of_params(&e->params);
 	bool beyond = e->has_params &&
 		      answers_is_speed_extrapolated(e, tui_slider_speed(t));
 	FREED char *speed = answers_speed_text(
-	    tui_current_entry(t)->site, tui_slider_speed(t), 1);
+	    tui_current_site_entry(t)->site, tui_slider_speed(t), 1);
 	text[0] = beyond ? xasprintf(tr("? extrapolated: %s is outside the "
 					"speeds measured"),
 			       speed)
@@ -358,7 +359,7 @@ fill_site_descriptions(const struct tui *t, char *text[static ABOUT])
 	FREED char *label = session_site_label(e->site);
 	text[2] = xasprintf("%s%s%s", label,
 	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
-	FREED char *data = site_provenance_in_words(e->site->provenance);
+	FREED char *data = site_translate_provenance(e->site->provenance);
 	text[3] = xasprintf(tr("data: %s"),
 	    data[0] != '\0' ? data : tr("provenance not stated"));
 }
@@ -375,7 +376,7 @@ draw_curves_of_site(struct tui *t, struct area area)
 		return;
 	area.rows = area.rows > MOST ? MOST : area.rows;
 	request.asked.entry = at == t->session->current
-				  ? tui_entry_for_prediction(t)
+				  ? tui_site_entry_for_prediction(t)
 				  : &t->session->entry[at];
 	request.words = area.rows < NAMES ? 0 : CHART_TITLE | CHART_LEGEND;
 	request.strip = 0;
@@ -393,7 +394,7 @@ draw_selected_site_at_foot(
 	static const size_t ORDER[ABOUT] = {LABEL, 3, 1, 0};
 	char *text[ABOUT];
 	int rows[ABOUT], left = area->rows - first;
-	fill_site_descriptions(t, text);
+	write_selected_site_texts(t, text);
 	for (size_t i = 0; i < ABOUT; i++) {
 		rows[i] = text_count_rows(text[i], area->columns);
 		rows[i] = rows[i] < left ? rows[i] : left;
@@ -410,19 +411,21 @@ draw_selected_site_at_foot(
 }
 
 static void
-sites_draw(struct tui *t)
+sites_page_draw(struct tui *t)
 {
 	enum { HEAD = 1, GAPS = 2 };
 	const struct area area = pane_list_area(t);
-	update_site_rows(t);
+	update_rows_of_page_sites(t);
 	if (t->session->n_entry == 0) {
-		screen_text(&area, 0, 2, 0, "none is loaded: o opens a sheet");
+		screen_draw_text(
+		    &area, 0, 2, 0, "none is loaded: o opens a sheet");
 		return;
 	}
 	table_draw(t, &area, &TABLE, t->view.site_width);
-	int first = (int)list_count_matching(t) + HEAD;
+	int first = (int)list_count_matching_rows(t) + HEAD;
 	if (first == HEAD)
-		screen_text(&area, HEAD, 2, 0, "no site has this word: Esc");
+		screen_draw_text(
+		    &area, HEAD, 2, 0, "no site has this word: Esc");
 	if (first == HEAD || first + 1 >= area.rows)
 		return;
 	struct area preview = area;
@@ -432,7 +435,7 @@ sites_draw(struct tui *t)
 }
 
 static size_t
-sites_count(const struct tui *t)
+sites_count_rows(const struct tui *t)
 {
 	return t->view.n_row;
 }
@@ -454,7 +457,7 @@ open_chosen_site(struct tui *t)
 {
 	const struct session *s = t->session;
 	if (session_entry_being_fitted(s) != NULL && !s->job.type->alone) {
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "calibrating all sites: s stops, then Enter opens one");
 		return;
 	}
@@ -470,14 +473,14 @@ open_chosen_site(struct tui *t)
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
 	tui_stop_fit(t);
-	bool used = control_run_command(t, line);
+	bool used = control_run_command_captured(t, line);
 	if (used)
 		pages_go_to(t, PAGE_PREDICT);
 }
 
 /* Sorts by the next column that is drawn. */
 static void
-sort_by_next_column(struct tui *t)
+sort_sites_by_next_column(struct tui *t)
 {
 	int width[LIST_COLUMNS], by = t->ui.sort;
 	table_fit_columns(
@@ -496,27 +499,27 @@ act_sort_sites(struct tui *t, const struct key *key)
 	if (t->session->n_entry == 0)
 		file_picker_open(t, PICK_FILES);
 	else if (key->amount > 0)
-		sort_by_next_column(t);
+		sort_sites_by_next_column(t);
 	else
-		sort_by_column(t, t->ui.sort - 1);
+		sort_sites_by_column(t, t->ui.sort - 1);
 }
 
-static const struct page_list LIST = {.n = sites_count,
+static const struct page_list LIST = {.n = sites_count_rows,
     .id = sites_entry_of_row,
     .text = sites_name_of_row,
     .open = open_chosen_site,
-    .update = update_site_rows,
+    .update = update_rows_of_page_sites,
     .table = &TABLE};
 
 static const char *
-sites_hints(const struct tui *t)
+sites_page_hints(const struct tui *t)
 {
 	return t->session->n_entry == 0
 		   ? N_("o open a sheet  ?  q  :")
 		   : N_("Up/Down site  Enter  o  /  ?  q  x  :");
 }
 
-const struct page_ops page_sites = {.hints_now = sites_hints,
-    .update = update_site_rows,
-    .draw = sites_draw,
+const struct page_ops page_sites = {.hints_now = sites_page_hints,
+    .update = update_rows_of_page_sites,
+    .draw = sites_page_draw,
     .list = &LIST};

@@ -42,7 +42,7 @@ dialog_ask(struct tui *t, const struct user_question *q)
 	while (result == EDIT_ON && t->callbacks->answer(t, &code, &special))
 		result = dialog_handle_key(t, code, special);
 	t->inquiry = NULL;
-	edit_end(&t->answer);
+	edit_stop_editing(&t->answer);
 	return result == EDIT_DONE ? xstrdup(t->answer.text) : NULL;
 }
 
@@ -52,7 +52,7 @@ struct parts {
 };
 
 static int
-take_rows_at_most(int n, int *left)
+allot_rows_at_most(int n, int *left)
 {
 	int taken = n < *left ? n : *left;
 	*left -= taken;
@@ -66,20 +66,20 @@ text_above_question(const struct user_question *q)
 }
 
 static struct parts
-dialog_share_rows(
+dialog_distribute_rows(
     const struct user_question *q, const char *asks, int room, int columns)
 {
 	enum { LEAST = 5 };
 	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
 	struct parts p = {0};
-	p.line = take_rows_at_most(1, &left);
-	p.text = take_rows_at_most(text_count_rows(asks, columns), &left);
-	p.table = take_rows_at_most(table < LEAST ? table : LEAST, &left);
-	p.about = take_rows_at_most(
+	p.line = allot_rows_at_most(1, &left);
+	p.text = allot_rows_at_most(text_count_rows(asks, columns), &left);
+	p.table = allot_rows_at_most(table < LEAST ? table : LEAST, &left);
+	p.about = allot_rows_at_most(
 	    text_count_rows(text_above_question(q), columns), &left);
 	int hint = text_count_rows(q->hint, columns);
-	p.hint = hint <= left ? take_rows_at_most(hint, &left) : 0;
-	p.table += take_rows_at_most(table - p.table, &left);
+	p.hint = hint <= left ? allot_rows_at_most(hint, &left) : 0;
+	p.table += allot_rows_at_most(table - p.table, &left);
 	p.gap = table > 0 && left >= 2 ? 2 : 0;
 	return p;
 }
@@ -91,17 +91,17 @@ draw_dialog_frame(struct tui *t, const struct area *box, const char *keys)
 	    "\u250c", "\u2510", "\u2514", "\u2518"};
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	struct area edge = area_of_row(box, box->rows - 1);
-	screen_draw_rule(box);
-	screen_draw_rule(&edge);
+	screen_draw_horizontal_rule(box);
+	screen_draw_horizontal_rule(&edge);
 	screen_draw_vertical_rule(box->row, box->column, box->rows);
 	screen_draw_vertical_rule(
 	    box->row, box->column + box->columns - 1, box->rows);
 	for (int i = 0; i < 4; i++)
-		screen_text(box, i < 2 ? 0 : box->rows - 1,
+		screen_draw_text(box, i < 2 ? 0 : box->rows - 1,
 		    i % 2 == 0 ? 0 : box->columns - 1, LOOK_DIM, "%s",
 		    ascii ? "+" : CORNERS[i]);
-	screen_text(&edge, 0, 2, LOOK_PLAIN, " %s ", keys);
-	pane_add_hint_clicks(t, edge.row, edge.column + 3, keys);
+	screen_draw_text(&edge, 0, 2, LOOK_PLAIN, " %s ", keys);
+	pane_make_hints_clickable(t, edge.row, edge.column + 3, keys);
 }
 
 static void
@@ -127,7 +127,7 @@ draw_question_table(struct tui *t, const struct area *area)
 		size_t row = r == 0 ? 0 : (size_t)(fit + r);
 		FREED char *line =
 		    user_question_row_text(q, row, area->columns);
-		screen_text(area, r, 0,
+		screen_draw_text(area, r, 0,
 		    r == 0               ? LOOK_DIM
 		    : (int)row - 1 == at ? LOOK_REVERSE
 					 : LOOK_PLAIN,
@@ -136,7 +136,7 @@ draw_question_table(struct tui *t, const struct area *area)
 }
 
 static void
-draw_answer_line(struct tui *t, const struct area *area)
+draw_typed_answer_line(struct tui *t, const struct area *area)
 {
 	size_t from;
 	int at = pane_draw_typed_line(area, "> ", &t->answer, &from);
@@ -148,16 +148,17 @@ draw_dialog_parts(struct tui *t, const struct area *inner,
     const struct parts *p, const char *asks)
 {
 	const struct user_question *q = t->inquiry;
-	struct area left = *inner, area = area_cut(&left, EDGE_TOP, p->about);
+	struct area left = *inner,
+		    area = area_cut_off_edge(&left, EDGE_TOP, p->about);
 	screen_draw_wrapped(&area, 0, LOOK_BOLD, text_above_question(q));
-	area_cut(&left, EDGE_TOP, p->gap / 2);
-	area = area_cut(&left, EDGE_TOP, p->table);
+	area_cut_off_edge(&left, EDGE_TOP, p->gap / 2);
+	area = area_cut_off_edge(&left, EDGE_TOP, p->table);
 	draw_question_table(t, &area);
-	area_cut(&left, EDGE_TOP, p->gap / 2);
-	area = area_cut(&left, EDGE_TOP, p->text);
+	area_cut_off_edge(&left, EDGE_TOP, p->gap / 2);
+	area = area_cut_off_edge(&left, EDGE_TOP, p->text);
 	screen_draw_wrapped(&area, 0, LOOK_BOLD, asks);
-	area = area_cut(&left, EDGE_TOP, p->line);
-	draw_answer_line(t, &area);
+	area = area_cut_off_edge(&left, EDGE_TOP, p->line);
+	draw_typed_answer_line(t, &area);
 	screen_draw_wrapped(&left, 0, LOOK_DIM, p->hint > 0 ? q->hint : "");
 }
 
@@ -173,15 +174,16 @@ dialog_draw(struct tui *t, int rows, int columns)
 	FREED char *asks = xasprintf("%s%s%s%s", q->text, offers ? " [" : "",
 	    q->offered, offers ? "]" : "?");
 	struct parts p =
-	    dialog_share_rows(q, asks, rows - 2 * edge, wide - 2 * side);
+	    dialog_distribute_rows(q, asks, rows - 2 * edge, wide - 2 * side);
 	int high = p.about + p.table + p.gap + p.text + p.line + p.hint;
 	struct area box = {.row = (rows - high) / 2 - edge,
 	    .column = (columns - wide) / 2,
 	    .rows = high + 2 * edge,
 	    .columns = wide};
 	screen_clear_area(&box);
-	hits_clear(&t->hits);
-	hits_add(&t->hits, HIT_WHEEL, box, on_wheel_scroll_table, 0);
+	hits_clear_click_areas(&t->hits);
+	hits_add_mouse_handler(
+	    &t->hits, HIT_WHEEL, box, on_wheel_scroll_table, 0);
 	if (frame)
 		draw_dialog_frame(t, &box,
 		    offers ? tr("Enter accepts  Esc gives up")

@@ -18,7 +18,7 @@
 #define CONTROL(letter) ((letter)&0x1F)
 
 static void
-edit_put_text(struct edit *t, const char *text)
+edit_set_text(struct edit *t, const char *text)
 {
 	snprintf(t->text, sizeof t->text, "%s", text);
 	t->n = t->at = strlen(t->text);
@@ -39,11 +39,11 @@ replace_before_cursor(struct edit *t, size_t start, const char *text, size_t n)
 void
 edit_begin(struct edit *t, const char *text)
 {
-	edit_end(t);
+	edit_stop_editing(t);
 	t->active = true;
 	t->back = 0;
 	t->fresh = 0;
-	edit_put_text(t, text);
+	edit_set_text(t, text);
 }
 
 void
@@ -55,7 +55,7 @@ edit_begin_with_proposal(struct edit *t, const char *text, const char *name)
 }
 
 void
-edit_end(struct edit *t)
+edit_stop_editing(struct edit *t)
 {
 	free(t->offers);
 	t->offers = NULL;
@@ -63,10 +63,10 @@ edit_end(struct edit *t)
 }
 
 static void
-insert_at_cursor(struct edit *t, unsigned code)
+insert_letter_at_cursor(struct edit *t, unsigned code)
 {
 	char letter[5];
-	canvas_encode_utf8(code, letter);
+	canvas_encode_code_point(code, letter);
 	replace_before_cursor(t, t->at, letter, strlen(letter));
 }
 
@@ -106,7 +106,7 @@ go_back_in_history(struct edit *t, int by)
 	if (back < 0 || back > history_length)
 		return;
 	t->back = back;
-	edit_put_text(
+	edit_set_text(
 	    t, back == 0
 		   ? ""
 		   : history_get(history_base + history_length - back)->line);
@@ -114,7 +114,7 @@ go_back_in_history(struct edit *t, int by)
 
 /* Returns the length, in bytes, of what all candidates begin with. */
 static size_t
-shared_candidate_bytes(const struct completion *c)
+candidates_shared_prefix_bytes(const struct completion *c)
 {
 	const char *first = c->candidate[0].text;
 	size_t n = strlen(first);
@@ -127,7 +127,7 @@ shared_candidate_bytes(const struct completion *c)
 }
 
 static void
-list_completions(struct edit *t, const struct completion *c)
+format_completion_list(struct edit *t, const struct completion *c)
 {
 	size_t n = 0;
 	FILE *out = text_open_memory(&t->offers, &n);
@@ -140,20 +140,21 @@ list_completions(struct edit *t, const struct completion *c)
 static void
 complete_word(struct edit *t, const struct session *s)
 {
-	struct completion *c = complete_at_cursor(s, t->text, t->at);
+	struct completion *c = find_completions_at_cursor(s, t->text, t->at);
 	if (c->n > 0)
 		replace_before_cursor(t, c->start, c->candidate[0].text,
-		    shared_candidate_bytes(c));
+		    candidates_shared_prefix_bytes(c));
 	if (c->n == 1 && c->candidate[0].append != '\0')
-		insert_at_cursor(t, (unsigned char)c->candidate[0].append);
+		insert_letter_at_cursor(
+		    t, (unsigned char)c->candidate[0].append);
 	t->start = c->start;
 	if (c->n > 1)
-		list_completions(t, c);
+		format_completion_list(t, c);
 	completion_free(c);
 }
 
 static void
-edit_handle_named_key(struct edit *t, int code)
+edit_handle_special_key(struct edit *t, int code)
 {
 	if (code == KEY_LEFT)
 		t->at = previous_letter_offset(t, t->at);
@@ -192,7 +193,7 @@ key_of_control_code(int code)
 }
 
 const char *
-edit_completion_at(const struct edit *t, size_t n, size_t *length)
+edit_get_nth_offered_completion(const struct edit *t, size_t n, size_t *length)
 {
 	const char *offer = t->offers;
 	while (offer != NULL && n-- > 0) {
@@ -207,17 +208,18 @@ edit_completion_at(const struct edit *t, size_t n, size_t *length)
 }
 
 size_t
-edit_next_completion(const struct edit *t)
+edit_first_unshown_completion(const struct edit *t)
 {
 	size_t next = t->from + t->shown, length;
-	return edit_completion_at(t, next, &length) != NULL ? next : 0;
+	return edit_get_nth_offered_completion(t, next, &length) != NULL ? next
+									 : 0;
 }
 
 enum edit_result
 edit_handle_key(struct edit *t, const struct session *s, int code, bool special)
 {
 	int key = special ? code : key_of_control_code(code);
-	size_t next = edit_next_completion(t), n = t->n;
+	size_t next = edit_first_unshown_completion(t), n = t->n;
 	free(t->offers);
 	t->offers = NULL;
 	if (!special && (code == ESCAPE || code == INTERRUPT))
@@ -227,7 +229,7 @@ edit_handle_key(struct edit *t, const struct session *s, int code, bool special)
 	if (!special && (code == '\n' || code == '\r'))
 		return EDIT_DONE;
 	if (special || key != 0)
-		edit_handle_named_key(t, key);
+		edit_handle_special_key(t, key);
 	else if (code == '\t')
 		complete_word(t, s);
 	else if (code == CONTROL('U'))
@@ -239,7 +241,7 @@ edit_handle_key(struct edit *t, const struct session *s, int code, bool special)
 	else if (code >= ' ') {
 		if (t->fresh > 0)
 			t->text[t->n = t->at = t->fresh] = '\0';
-		insert_at_cursor(t, (unsigned)code);
+		insert_letter_at_cursor(t, (unsigned)code);
 	}
 	t->fresh = 0;
 	t->from = code == '\t' && t->n == n ? next : 0;
@@ -247,23 +249,23 @@ edit_handle_key(struct edit *t, const struct session *s, int code, bool special)
 }
 
 void
-edit_use_completion(struct edit *t, size_t n)
+edit_insert_completion(struct edit *t, size_t n)
 {
 	size_t length;
-	const char *offer = edit_completion_at(t, n, &length);
+	const char *offer = edit_get_nth_offered_completion(t, n, &length);
 	if (offer == NULL)
 		return;
 	bool open = length > 0 &&
 		    (offer[length - 1] == '=' || offer[length - 1] == '/');
 	replace_before_cursor(t, t->start, offer, length);
 	if (!open)
-		insert_at_cursor(t, ' ');
+		insert_letter_at_cursor(t, ' ');
 	free(t->offers);
 	t->offers = NULL;
 }
 
 bool
-edit_type_letter(struct edit *t, int code, bool special, size_t most)
+edit_insert_or_erase_letter(struct edit *t, int code, bool special, size_t most)
 {
 	bool back = code == DELETE || code == '\b';
 	if (special || (back ? t->n == 0 : code < ' ' || code >= DELETE))
@@ -272,6 +274,6 @@ edit_type_letter(struct edit *t, int code, bool special, size_t most)
 		replace_before_cursor(
 		    t, previous_letter_offset(t, t->at), "", 0);
 	else if (t->n < most)
-		insert_at_cursor(t, (unsigned)code);
+		insert_letter_at_cursor(t, (unsigned)code);
 	return true;
 }

@@ -34,21 +34,23 @@ void edit_begin_with_proposal(
 /* Handles a key.  code: a key code of ncurses if special, else a character. */
 enum edit_result edit_handle_key(
     struct edit *t, const struct session *s, int code, bool special);
-void edit_end(struct edit *t);
+void edit_stop_editing(struct edit *t);
 
 /* Returns offer n, of `length` bytes, or NULL if there are fewer. */
-const char *edit_completion_at(const struct edit *t, size_t n, size_t *length);
+const char *edit_get_nth_offered_completion(
+    const struct edit *t, size_t n, size_t *length);
 
 /* Returns the offer from which Tab continues: the one after those shown, or the
  * first. */
-size_t edit_next_completion(const struct edit *t);
+size_t edit_first_unshown_completion(const struct edit *t);
 
 /* Replaces the word with offer n. */
-void edit_use_completion(struct edit *t, size_t n);
+void edit_insert_completion(struct edit *t, size_t n);
 
 /* Adds an ASCII letter to a text of at most `most` letters, or deletes the last
  * letter.  Returns false if the key does neither or there is nothing to
  * delete. */
-bool edit_type_letter(struct edit *t, int code, bool special, size_t most);
+bool edit_insert_or_erase_letter(
+    struct edit *t, int code, bool special, size_t most);
 
 #endif

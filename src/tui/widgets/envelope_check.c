@@ -19,7 +19,7 @@ struct envelope_check {
 static bool
 envelope_check_is_wanted(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	return entry != NULL && entry->has_params && t->session->spec != NULL &&
 	       !session_is_calibrating(t->session) &&
 	       t->view.shown.product.n > 0;
@@ -36,18 +36,18 @@ envelope_check_free(struct tui *t)
 }
 
 static bool
-is_envelope_check_current(const struct tui *t)
+is_envelope_check_up_to_date(const struct tui *t)
 {
 	const struct envelope_check *l = t->view.envelope_check;
 	return l != NULL && l->revision == t->view.revision &&
-	       l->feed == tui_feed_run(t);
+	       l->feed == tui_run_index_of_feed(t);
 }
 
 void
 envelope_check_update(struct tui *t)
 {
 	struct error error = {0};
-	if (!envelope_check_is_wanted(t) || !is_envelope_check_current(t))
+	if (!envelope_check_is_wanted(t) || !is_envelope_check_up_to_date(t))
 		envelope_check_free(t);
 	if (!envelope_check_is_wanted(t))
 		return;
@@ -55,9 +55,10 @@ envelope_check_update(struct tui *t)
 	if (l == NULL) {
 		t->view.envelope_check = l = xcalloc(1, sizeof *l);
 		l->revision = t->view.revision;
-		l->feed = tui_feed_run(t);
-		l->open = envelope_open_chosen(t->session,
-		    tui_entry_for_prediction(t), l->feed, &l->grading, &error);
+		l->feed = tui_run_index_of_feed(t);
+		l->open = envelope_open_chosen_forecast(t->session,
+		    tui_site_entry_for_prediction(t), l->feed, &l->grading,
+		    &error);
 	}
 	if (l->open && l->speed != tui_slider_speed(t))
 		forecast_set_speed(
@@ -70,7 +71,7 @@ envelope_check_at_slider(const struct tui *t)
 {
 	const struct envelope_check *l = t->view.envelope_check;
 	bool now = envelope_check_is_wanted(t) &&
-		   is_envelope_check_current(t) && l->open &&
+		   is_envelope_check_up_to_date(t) && l->open &&
 		   l->speed == tui_slider_speed(t);
 	return now ? &l->grading : NULL;
 }

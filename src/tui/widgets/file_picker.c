@@ -18,7 +18,7 @@
 #include "tui/widgets/list.h"
 
 static void
-forget_preview(struct picker *c)
+free_file_preview(struct picker *c)
 {
 	free(c->preview);
 	c->preview = NULL;
@@ -32,42 +32,42 @@ list_files_in_folder(struct picker *c, const char *path)
 	edit_begin(&c->word, "");
 	folder_free(&c->folder);
 	if (c->what == PICK_SHIPPED)
-		folder_list_shipped(&c->folder);
+		folder_list_shipped_sites(&c->folder);
 	else
 		folder_list(&c->folder, copy);
 	if (c->what == PICK_FEEDS || c->what == PICK_SESSIONS)
-		folder_keep_kinds(&c->folder,
+		folder_filter_by_kind(&c->folder,
 		    1U << FOLDER_ABOVE | 1U << FOLDER_BELOW |
 			1U << (c->what == PICK_FEEDS ? FOLDER_SHEET
 						     : FOLDER_SESSION));
 	c->list = (struct list){0};
-	forget_preview(c);
+	free_file_preview(c);
 }
 
 static void
-close_picker(struct tui *t)
+close_file_picker(struct tui *t)
 {
 	folder_free(&t->picker.folder);
-	forget_preview(&t->picker);
+	free_file_preview(&t->picker);
 	t->picker = (struct picker){0};
 }
 
 /* Types a guess command, with the cursor where something is missing that the
  * sheet does not state. */
 static void
-propose_guess_command(struct tui *t)
+prefill_line_with_guess_command(struct tui *t)
 {
 	static const char BEGIN[] = "guess rock=";
-	const struct site *site = tui_current_entry(t)->site;
+	const struct site *site = tui_current_site_entry(t)->site;
 	const char *quote = strchr(site->rock, ' ') != NULL ? "\"" : "";
 	FREED char *line =
 	    xasprintf("%s%s%s%s", BEGIN, quote, site->rock, quote);
 	if (site->top_size > 0)
-		xappend(&line, " top=%g", units_mm(site->top_size));
+		xappend(&line, " top=%g", units_m_to_mm(site->top_size));
 	edit_begin(&t->line, line);
 	if (site->rock[0] == '\0') {
 		t->line.at = strlen(BEGIN);
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "type the rock, say granite, and Enter: the sheet does not "
 		    "state it");
 	}
@@ -76,19 +76,20 @@ propose_guess_command(struct tui *t)
 /* Runs the command that opens a file, and says what to do next.  estimates: the
  * sheet was chosen for its feed.  Returns true if a site is loaded. */
 static bool
-run_open_command(struct tui *t, const char *line, bool estimates)
+run_line_that_opens_file(struct tui *t, const char *line, bool estimates)
 {
 	const size_t before = t->session->n_entry;
 	tui_stop_fit(t);
-	if (!control_run_command(t, line) || tui_current_entry(t) == NULL)
+	if (!control_run_command_captured(t, line) ||
+	    tui_current_site_entry(t) == NULL)
 		return false;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	size_t products = site_count_products(entry->site);
 	FREED char *label = session_site_label(entry->site);
 	if (estimates || products == 0)
-		propose_guess_command(t);
+		prefill_line_with_guess_command(t);
 	else if (!entry->has_params)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    t->session->n_entry > before
 			? N_("loaded %s: press f to calibrate")
 			: N_("replaced %s, loaded earlier: press f to "
@@ -111,8 +112,8 @@ open_chosen_file(struct tui *t)
 	}
 	FREED char *line =
 	    folder_command_to_open(item, c->what == PICK_SESSIONS);
-	if (run_open_command(t, line, c->what == PICK_FEEDS))
-		close_picker(t);
+	if (run_line_that_opens_file(t, line, c->what == PICK_FEEDS))
+		close_file_picker(t);
 }
 
 static size_t
@@ -122,7 +123,7 @@ count_listed_files(const struct tui *t)
 }
 
 static void
-clear_message_on_choice(struct tui *t)
+clear_message_on_file_choice(struct tui *t)
 {
 	t->message[0] = '\0';
 }
@@ -142,14 +143,14 @@ update_file_preview(struct tui *t)
 	struct picker *c = &t->picker;
 	if (c->folder.n == 0 || c->previewed == c->list.at)
 		return;
-	forget_preview(c);
-	c->preview = folder_preview(&c->folder.item[c->list.at]);
+	free_file_preview(c);
+	c->preview = folder_item_preview_text(&c->folder.item[c->list.at]);
 	c->previewed = c->list.at;
 }
 
 static const struct page_list FILES = {.n = count_listed_files,
     .text = file_row_text,
-    .chosen = clear_message_on_choice,
+    .chosen = clear_message_on_file_choice,
     .open = open_chosen_file,
     .update = update_file_preview};
 
@@ -157,12 +158,12 @@ void
 file_picker_open(struct tui *t, enum picker_list what)
 {
 	if (t->session->safe) {
-		tui_say(t, true,
+		tui_set_message(t, true,
 		    "files are not opened with --safe: start the program "
 		    "without it");
 		return;
 	}
-	close_picker(t);
+	close_file_picker(t);
 	t->message[0] = '\0';
 	t->picker.on = true;
 	t->picker.rows = &FILES;
@@ -187,7 +188,7 @@ go_to_folder_above(struct tui *t)
 /* Handles a key that adds a letter to the filter or deletes one.  Returns false
  * for other keys.  A letter is refused if no name then matches. */
 static bool
-filter_files_by_letter(struct tui *t, int code, bool special)
+handle_file_filter_key(struct tui *t, int code, bool special)
 {
 	struct picker *c = &t->picker;
 	bool back = code == DELETE || code == '\b' || code == ESCAPE,
@@ -200,10 +201,10 @@ filter_files_by_letter(struct tui *t, int code, bool special)
 		list_clear_filter(t);
 	else
 		list_handle_filter_key(t, code, false);
-	if (list_count_matching(t) == 0) {
+	if (list_count_matching_rows(t) == 0) {
 		FREED char *word = xstrdup(c->word.text);
 		list_handle_filter_key(t, DELETE, false);
-		tui_say(t, false, "nothing here has '%s'", word);
+		tui_set_message(t, false, "nothing here has '%s'", word);
 	}
 	return true;
 }
@@ -211,7 +212,7 @@ filter_files_by_letter(struct tui *t, int code, bool special)
 bool
 file_picker_handle_key(struct tui *t, int code, bool special)
 {
-	if (filter_files_by_letter(t, code, special))
+	if (handle_file_filter_key(t, code, special))
 		return true;
 	const struct key *key = keys_find_by_code(code, t->ui.page);
 	key_action *act = key != NULL ? key->act : NULL;
@@ -226,7 +227,7 @@ file_picker_handle_key(struct tui *t, int code, bool special)
 	else if (code == DELETE || code == '\b' || aside)
 		go_to_folder_above(t);
 	else if (!moves || !list_handle_move_key(t, key)) {
-		close_picker(t);
+		close_file_picker(t);
 		return code == ESCAPE || code == INTERRUPT;
 	}
 	return true;
@@ -243,13 +244,13 @@ draw_file_row(struct tui *t, const struct area *line, size_t i, unsigned look,
 	if (look == LOOK_PLAIN && item->kind >= FOLDER_OTHER)
 		look = LOOK_DIM;
 	if (item->kind == FOLDER_RESULTS || item->kind == FOLDER_SESSION)
-		screen_text(
+		screen_draw_text(
 		    line, 0, 1, look, "%s  %s", item->name, item->about);
 	else if (item->about == NULL)
-		screen_text(
+		screen_draw_text(
 		    line, 0, 1, look, "%s%s", item->name, folder ? "/" : "");
 	else
-		screen_text(line, 0, 1, look, "%-*.*s%s", NAME,
+		screen_draw_text(line, 0, 1, look, "%-*.*s%s", NAME,
 		    (int)(strrchr(item->name, '.') - item->name), item->name,
 		    item->about);
 }
@@ -260,19 +261,20 @@ draw_picker_title(const struct tui *t, const struct area *area)
 	const struct picker *c = &t->picker;
 	const char *folder =
 	    c->folder.path[0] != '\0' ? c->folder.path : tr("this folder");
-	int column = screen_text(area, 0, 0, LOOK_BOLD,
+	int column = screen_draw_text(area, 0, 0, LOOK_BOLD,
 	    c->what == PICK_FEEDS      ? N_("sheet with a feed, in %s")
 	    : c->what == PICK_SESSIONS ? N_("saved sessions, in %s")
 	    : c->what == PICK_SHIPPED  ? N_("sites that come with tipspeed, %s")
 				       : N_("open a sheet, in %s"),
 	    folder);
 	if (c->word.n > 0)
-		screen_text(area, 0, column, 0, ": containing '%s', %zu",
-		    c->word.text, list_count_matching(t));
+		screen_draw_text(area, 0, column, 0, ": containing '%s', %zu",
+		    c->word.text, list_count_matching_rows(t));
 	else if (c->folder.why != NULL)
-		screen_text(area, 0, column, 0, ": %s", c->folder.why);
+		screen_draw_text(area, 0, column, 0, ": %s", c->folder.why);
 	else if (c->folder.more)
-		screen_text(area, 0, column, 0, ": the first %zu", c->folder.n);
+		screen_draw_text(
+		    area, 0, column, 0, ": the first %zu", c->folder.n);
 }
 
 /* Draws the message over the hints and, if it needs two rows, the row above. */
@@ -295,28 +297,29 @@ file_picker_draw(struct tui *t)
 {
 	enum { WIDE = 72, TALL = 10, LIST = 60 };
 	struct area list = t->layout.body, preview = {0},
-		    title = area_cut(&list, EDGE_TOP, list.rows > 2 ? 1 : 0);
+		    title = area_cut_off_edge(
+			&list, EDGE_TOP, list.rows > 2 ? 1 : 0);
 	bool shipped = t->picker.what == PICK_SHIPPED;
 	int half = list.columns / 2;
 	if (title.rows > 0)
 		draw_picker_title(t, &title);
 	if (list.columns >= WIDE + (shipped ? LIST - WIDE / 2 : 0)) {
 		preview = list;
-		list = area_cut(
+		list = area_cut_off_edge(
 		    &preview, EDGE_LEFT, shipped || half >= LIST ? LIST : half);
 		screen_draw_vertical_rule(list.row, list.columns, list.rows);
-		area_cut(&preview, EDGE_LEFT, 2);
+		area_cut_off_edge(&preview, EDGE_LEFT, 2);
 	} else if (t->layout.body.rows >= TALL) {
-		preview = area_cut(&list, EDGE_FOOT, list.rows / 2);
+		preview = area_cut_off_edge(&list, EDGE_FOOT, list.rows / 2);
 	}
 	list_draw_rows(t, &list, draw_file_row, NULL);
 	if (t->picker.preview != NULL)
-		pane_draw_lines(&preview, 0, t->picker.preview);
+		pane_draw_text_lines(&preview, 0, t->picker.preview);
 	if (t->message[0] != '\0') {
 		file_picker_draw_message(t);
 		return;
 	}
-	pane_hints(
+	pane_draw_key_hints(
 	    t, t->picker.word.n > 0 ? N_("Esc all  Enter opens it  Up/Down")
 	       : shipped
 		   ? N_("Esc back  Enter opens it  Up/Down  letters narrow the "

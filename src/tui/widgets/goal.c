@@ -25,16 +25,16 @@
 enum { MANY = 4 };
 
 bool
-goal_is_known(const struct tui *t)
+goal_is_search_done(const struct tui *t)
 {
 	return goals_is_search_done(t->session, &t->view.goal);
 }
 
 bool
-goal_is_pending(const struct tui *t)
+goal_is_search_needed(const struct tui *t)
 {
 	return goals_is_search_needed(
-	    t->session, &t->view.goal, tui_feed_run(t));
+	    t->session, &t->view.goal, tui_run_index_of_feed(t));
 }
 
 double
@@ -44,18 +44,18 @@ goal_best_speed(const struct tui *t)
 }
 
 char *
-goal_in_words(const struct tui *t, enum goals_length length)
+goal_result_text(const struct tui *t, enum goals_length length)
 {
-	return goals_outcome_text(t->session, tui_entry_for_prediction(t),
+	return goals_outcome_text(t->session, tui_site_entry_for_prediction(t),
 	    &t->view.goal, tui_slider_speed(t), length);
 }
 
 size_t
-goal_limit_speeds(const struct tui *t, double *speed, size_t most)
+goal_list_limit_speeds(const struct tui *t, double *speed, size_t most)
 {
 	const struct goal *g = &t->view.goal;
 	size_t n = 0;
-	if (!goal_is_known(t))
+	if (!goal_is_search_done(t))
 		return 0;
 	for (size_t i = 0; i < g->n_met && n < most; i++)
 		speed[n++] = g->met[i];
@@ -78,7 +78,7 @@ goal_is_met_between(const struct tui *t, double from, double to, bool *certain)
 	const struct goal *g = &t->view.goal;
 	bool holds = false;
 	*certain = false;
-	if (!goal_is_known(t))
+	if (!goal_is_search_done(t))
 		return false;
 	for (size_t i = 0; i < g->n_met; i++)
 		holds = holds || (g->met[i] >= from && g->met[i] < to);
@@ -95,7 +95,7 @@ goal_probability_at(const struct tui *t, double speed)
 {
 	const struct speed_search *found = t->view.goal.found;
 	size_t k = 0;
-	if (!goal_is_known(t))
+	if (!goal_is_search_done(t))
 		return NAN;
 	while (k + 1 < found->n && found->speed[k] < speed - 0.05)
 		k++;
@@ -106,7 +106,7 @@ double
 goal_probability_at_slider(const struct tui *t)
 {
 	bool fits =
-	    session_entry_being_fitted(t->session) == tui_current_entry(t);
+	    session_entry_being_fitted(t->session) == tui_current_site_entry(t);
 	return fits || t->view.goal.n_value > 0
 		   ? NAN
 		   : goal_probability_at(t, tui_slider_speed(t));
@@ -115,13 +115,13 @@ goal_probability_at_slider(const struct tui *t)
 bool
 goal_is_viewed(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	return t->ui.goal_view && t->ui.page == PAGE_PREDICT &&
 	       goals_is_set(t->session) && entry != NULL && entry->has_params;
 }
 
 void
-goal_show_chosen_quantity(struct tui *t)
+goal_show_condition_quantity(struct tui *t)
 {
 	const struct condition_list *list = &t->view.goal.list;
 	size_t at = t->ui.list[PAGE_PREDICT].at;
@@ -144,34 +144,34 @@ act_toggle_goal_view(struct tui *t, const struct key *key)
 	t->ui.goal_view = opens;
 	t->ui.goal_view = goal_is_viewed(t);
 	/* The conditions are read by the first step. */
-	if (t->ui.goal_view && goal_is_pending(t))
-		goal_compute_step(t);
-	if (t->ui.goal_view && goal_is_known(t))
+	if (t->ui.goal_view && goal_is_search_needed(t))
+		goal_run_search_step(t);
+	if (t->ui.goal_view && goal_is_search_done(t))
 		t->ui.list[PAGE_PREDICT].at = t->view.goal.binds;
-	goal_show_chosen_quantity(t);
+	goal_show_condition_quantity(t);
 	if (opens && !goals_is_set(t->session))
-		tui_say(t, false, "no goal yet: t sets one");
+		tui_set_message(t, false, "no goal yet: t sets one");
 	else if (opens && !t->ui.goal_view)
-		tui_say(t, true, "%s", tui_why_no_prediction(t));
+		tui_set_message(t, true, "%s", tui_why_no_prediction(t));
 }
 
 void
-act_type_goal(struct tui *t, const struct key *key)
+act_open_goal_field(struct tui *t, const struct key *key)
 {
 	(void)key;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	/* During a search, its best candidate so far is shown, and will do. */
 	if (entry == NULL ||
 	    (!entry->has_params && t->view.shown.product.n == 0)) {
-		tui_say(t, true, "%s", tui_why_no_prediction(t));
+		tui_set_message(t, true, "%s", tui_why_no_prediction(t));
 		return;
 	}
-	FREED char *words = quantities_typed_text(&t->ui.quantity);
+	FREED char *words = quantities_text_to_type(&t->ui.quantity);
 	FREED char *line = goals_is_set(t->session)
 			       ? xstrdup(t->session->set.goal)
 			       : xasprintf("%s=", words);
 	if (!goals_is_set(t->session))
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "such as p80=5.4, or passing 2 = 32..36, fines<3; Tab has "
 		    "more");
 	t->goal_field = t->goal_fresh = true;
@@ -189,7 +189,7 @@ complete_last_condition(struct edit *y)
 	char *first = NULL;
 	struct standards *standards = standards_read_built_in();
 	for (size_t i = 0, spec = 0; spec < standards->n; i++) {
-		const char *name = quantities_completion_offer(i);
+		const char *name = quantities_nth_completion(i);
 		if (name == NULL)
 			name = standards->spec[spec++]->name;
 		if (strncasecmp(name, word, strlen(word)) != 0)
@@ -219,7 +219,7 @@ complete_last_condition(struct edit *y)
 static void
 close_goal_field(struct tui *t)
 {
-	edit_end(&t->line);
+	edit_stop_editing(&t->line);
 	t->goal_field = false;
 	t->message[0] = '\0';
 }
@@ -230,10 +230,10 @@ static char *
 command_that_sets_goal(struct tui *t, const char *text)
 {
 	const struct session *s = t->session;
-	bool envelope = text[0] != '\0' && !goals_is_condition(text) &&
-			conditions_length_of_first(text) == strlen(text);
+	bool envelope = text[0] != '\0' && !goals_is_condition_text(text) &&
+			conditions_first_text_length(text) == strlen(text);
 	FREED char *goal =
-	    text_in_quotes(text[0] != '\0' ? text : SETTINGS_NONE);
+	    text_add_quotes(text[0] != '\0' ? text : SETTINGS_NONE);
 	char *line = xstrdup("");
 	close_goal_field(t);
 	if (envelope && !session_is_calibrating(s))
@@ -262,12 +262,12 @@ show_typed_quantity(struct tui *t, const char *text)
 		t->ui.quantity_of_goal = false;
 		close_goal_field(t);
 		if (goals_is_set(t->session))
-			tui_say(t, false,
+			tui_set_message(t, false,
 			    "above the track now: %s; the goal "
 			    "stays %s",
 			    text, t->session->set.goal);
 	} else if (ok) {
-		tui_say(t, true, "%s: %s", error.text, error.hint);
+		tui_set_message(t, true, "%s: %s", error.text, error.hint);
 	}
 	return ok;
 }
@@ -283,10 +283,10 @@ quantity_to_show_for_goal(const struct condition_list *list)
 /* Shows the quantity of the condition that binds, once that is known, unless
  * the user chose another. */
 static void
-select_binding_quantity(struct tui *t)
+show_binding_condition_quantity(struct tui *t)
 {
 	const struct goal *g = &t->view.goal;
-	if (!goal_is_known(t) || !t->ui.quantity_of_goal)
+	if (!goal_is_search_done(t) || !t->ui.quantity_of_goal)
 		return;
 	const struct quantity *binds = &g->list.at[g->binds].quantity;
 	/* A quantity with a list of sieves is not copied, because the list is
@@ -296,14 +296,14 @@ select_binding_quantity(struct tui *t)
 }
 
 void
-goal_compute_step(struct tui *t)
+goal_run_search_step(struct tui *t)
 {
 	struct goal *g = &t->view.goal;
-	bool pending = goal_is_pending(t);
-	goals_step_search(
-	    t->session, tui_entry_for_prediction(t), g, tui_feed_run(t));
+	bool pending = goal_is_search_needed(t);
+	goals_step_search(t->session, tui_site_entry_for_prediction(t), g,
+	    tui_run_index_of_feed(t));
 	if (pending)
-		select_binding_quantity(t);
+		show_binding_condition_quantity(t);
 }
 
 /* Reads the field on Enter.  Returns the command to run, or NULL.  A text that
@@ -330,9 +330,9 @@ parse_goal_field(struct tui *t)
 		t->ui.quantity_of_goal = true;
 		line = command_that_sets_goal(t, text);
 		if (line == NULL)
-			select_binding_quantity(t);
+			show_binding_condition_quantity(t);
 	} else {
-		tui_say(t, true, "%s%s%s", error.text,
+		tui_set_message(t, true, "%s%s%s", error.text,
 		    error.hint[0] != '\0' ? ": " : "", error.hint);
 	}
 	conditions_free(&list);
@@ -344,11 +344,11 @@ parse_goal_field(struct tui *t)
  * another quantity, a sign a condition of the quantity shown, a digit its
  * value.  After a comma, another condition is added instead. */
 static void
-begin_new_goal_text(struct tui *t, int code)
+replace_proposed_goal_text(struct tui *t, int code)
 {
 	if (code == ',' || code == ';')
 		return;
-	FREED char *words = quantities_typed_text(&t->ui.quantity);
+	FREED char *words = quantities_text_to_type(&t->ui.quantity);
 	if (!strchr("<>=", code))
 		xappend(&words, "=");
 	edit_begin(&t->line, isalpha(code) ? "" : words);
@@ -357,7 +357,7 @@ begin_new_goal_text(struct tui *t, int code)
 /* Handles "/" typed after a value, "p80=0": leaves the number alone, because it
  * begins a fraction, "0/2". */
 static void
-begin_fraction_text(struct edit *y)
+reduce_goal_text_to_number(struct edit *y)
 {
 	const char *sign = strchr(y->text, '=');
 	if (sign == NULL || sign[1] == '\0' ||
@@ -368,7 +368,7 @@ begin_fraction_text(struct edit *y)
 }
 
 char *
-goal_handle_key(struct tui *t, int code, bool special)
+goal_edit_field_by_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->line;
 	if (!special && code == '\t') {
@@ -377,7 +377,7 @@ goal_handle_key(struct tui *t, int code, bool special)
 		if (t->goal_fresh && !goals_is_set(t->session))
 			edit_begin(y, "");
 		t->goal_fresh = false;
-		size_t next = edit_next_completion(y), n = y->n;
+		size_t next = edit_first_unshown_completion(y), n = y->n;
 		complete_last_condition(y);
 		y->from = y->n == n ? next : 0;
 		return NULL;
@@ -385,9 +385,9 @@ goal_handle_key(struct tui *t, int code, bool special)
 	if (special && (code == KEY_UP || code == KEY_DOWN))
 		return NULL;
 	if (t->goal_fresh && !special && code > ' ' && code < 127)
-		begin_new_goal_text(t, code);
+		replace_proposed_goal_text(t, code);
 	if (!special && code == '/')
-		begin_fraction_text(y);
+		reduce_goal_text_to_number(y);
 	t->goal_fresh = false;
 	switch (edit_handle_key(y, t->session, code, special)) {
 	case EDIT_DONE:

@@ -28,7 +28,7 @@ static const struct list_column COLUMN[COLUMNS] = {
 /* Returns the value of a condition's quantity at the slider's speed, in the
  * unit of the condition. */
 static double
-condition_value_now(const struct tui *t, const struct condition *c)
+condition_value_at_slider(const struct tui *t, const struct condition *c)
 {
 	const struct psd *product = &t->view.shown.product;
 	return product->n > 0
@@ -42,8 +42,9 @@ condition_value_now(const struct tui *t, const struct condition *c)
 static bool
 are_goal_speeds_known(const struct tui *t)
 {
-	return goal_is_known(t) &&
-	       session_entry_being_fitted(t->session) != tui_current_entry(t);
+	return goal_is_search_done(t) &&
+	       session_entry_being_fitted(t->session) !=
+		   tui_current_site_entry(t);
 }
 
 /* Returns true if the slider is as near as it gets to a speed that gives the
@@ -57,22 +58,22 @@ is_slider_at_goal_value(const struct tui *t)
 		return false;
 	const struct speed_search *found = t->view.goal.found;
 	for (size_t k = 0; k < found->n_root; k++)
-		at |= slider_position(range, found->root[k].speed) ==
+		at |= slider_position_of_speed(range, found->root[k].speed) ==
 		      tui_slider_position(t);
 	return at;
 }
 
 static bool
-is_condition_met_now(const struct tui *t, const struct condition *c)
+is_condition_met_at_slider(const struct tui *t, const struct condition *c)
 {
-	double value = condition_value_now(t, c);
+	double value = condition_value_at_slider(t, c);
 	if (c->least == c->most)
 		return is_slider_at_goal_value(t);
 	return !(value < c->least) && !(value > c->most) && !isnan(value);
 }
 
 static void
-append_speed_to_list(char **list, const struct site *site, double speed)
+append_speed_to_text_list(char **list, const struct site *site, double speed)
 {
 	FREED char *text = answers_speed_text(site, speed, 1);
 	xappend_to_list(list, ", ", "%s", text);
@@ -88,11 +89,12 @@ condition_speeds_text(const struct tui *t, size_t i)
 	if (!known || i >= g->list.n - g->n_value) {
 		char *met = xstrdup(known && g->n_met > 0 ? "" : "-");
 		for (size_t k = 0; known && k < g->n_met; k++)
-			append_speed_to_list(&met, tui_site(t), g->met[k]);
+			append_speed_to_text_list(
+			    &met, tui_current_site(t), g->met[k]);
 		return met;
 	}
 	const double *alone = g->found->alone[i];
-	const struct site *site = tui_current_entry(t)->site;
+	const struct site *site = tui_current_site_entry(t)->site;
 	double low = isfinite(alone[0]) ? alone[0] : alone[1];
 	double high =
 	    isfinite(alone[0]) && isfinite(alone[1]) ? alone[1] : (double)NAN;
@@ -107,7 +109,7 @@ condition_speeds_text(const struct tui *t, size_t i)
 		    low, rpm);
 	FREED char *range = answers_speed_range_words(
 	    site, g->found->speed[0], g->found->speed[g->found->n - 1], true);
-	return xasprintf(is_condition_met_now(t, &g->list.at[i])
+	return xasprintf(is_condition_met_at_slider(t, &g->list.at[i])
 			     ? tr("all %s")
 			     : tr("none %s"),
 	    range);
@@ -118,14 +120,14 @@ condition_cell_text(const struct tui *t, size_t i, int column)
 {
 	const struct condition *c = &t->view.goal.list.at[i];
 	double value = quantities_value_in_shown_unit(
-	    &c->quantity, condition_value_now(t, c));
+	    &c->quantity, condition_value_at_slider(t, c));
 	if (column == CONDITION)
 		return conditions_one_text(c);
 	if (column == SPEEDS)
 		return condition_speeds_text(t, i);
 	if (column == HOLDS)
 		return xstrdup(
-		    is_condition_met_now(t, c) ? tr("yes")
+		    is_condition_met_at_slider(t, c) ? tr("yes")
 		    : c->least == c->most && !are_goal_speeds_known(t)
 			? "-"
 			: tr(" NO"));
@@ -154,8 +156,9 @@ draw_goal_probability(const struct tui *t, const struct area *area)
 	if (isnan(certain))
 		return;
 	FREED char *percent = conditions_probability_text(certain);
-	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), speed, NAN);
-	screen_text(area, 0, 0, LOOK_BOLD,
+	FREED char *rpm =
+	    rotor_speed_rpm_text(tui_rotor_diameter(t), speed, NAN);
+	screen_draw_text(area, 0, 0, LOOK_BOLD,
 	    t->view.goal.list.n > 1 ? N_("chance of all at %.1f m/s%s: %s")
 				    : N_("chance at %.1f m/s%s: %s"),
 	    speed, rpm, percent);

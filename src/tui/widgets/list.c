@@ -14,7 +14,7 @@
 #include "tui/screen.h"
 
 static const struct page_list *
-current_list(const struct tui *t)
+current_page_list(const struct tui *t)
 {
 	return t->picker.on ? t->picker.rows : pages_current(t)->list;
 }
@@ -34,23 +34,24 @@ current_filter_word(struct tui *t)
 static size_t
 count_list_rows(const struct tui *t)
 {
-	return current_list(t) != NULL ? current_list(t)->n(t) : 0;
+	return current_page_list(t) != NULL ? current_page_list(t)->n(t) : 0;
 }
 
 static size_t
-id_of_row(const struct tui *t, size_t i)
+id_of_list_row(const struct tui *t, size_t i)
 {
-	return current_list(t)->id != NULL ? current_list(t)->id(t, i) : i;
+	return current_page_list(t)->id != NULL ? current_page_list(t)->id(t, i)
+						: i;
 }
 
 /* Returns the row under the cursor of a list that has rows. */
 static size_t
-row_under_cursor(const struct tui *t)
+list_row_under_cursor(const struct tui *t)
 {
 	size_t at =
 	    t->picker.on ? t->picker.list.at : t->ui.list[t->ui.page].at;
 	size_t i = 0, n = count_list_rows(t);
-	while (i + 1 < n && id_of_row(t, i) != at)
+	while (i + 1 < n && id_of_list_row(t, i) != at)
 		i++;
 	return i;
 }
@@ -58,11 +59,11 @@ row_under_cursor(const struct tui *t)
 static void
 move_cursor_to_row(struct tui *t, size_t i)
 {
-	if (current_list_state(t)->at == id_of_row(t, i))
+	if (current_list_state(t)->at == id_of_list_row(t, i))
 		return;
-	current_list_state(t)->at = id_of_row(t, i);
-	if (current_list(t)->chosen != NULL)
-		current_list(t)->chosen(t);
+	current_list_state(t)->at = id_of_list_row(t, i);
+	if (current_page_list(t)->chosen != NULL)
+		current_page_list(t)->chosen(t);
 }
 
 static bool
@@ -73,10 +74,10 @@ has_searchable_rows(const struct page_list *of)
 
 /* Looks in all columns, including those that are not shown. */
 static bool
-is_row_matching(const struct tui *t, size_t i)
+is_row_matching_filter(const struct tui *t, size_t i)
 {
 	const struct edit *word = t->picker.on ? &t->picker.word : &t->filter;
-	const struct page_list *of = current_list(t);
+	const struct page_list *of = current_page_list(t);
 	if (word->n == 0 || !has_searchable_rows(of))
 		return true;
 	FREED char *text = of->text != NULL ? of->text(t, i) : xstrdup("");
@@ -84,7 +85,7 @@ is_row_matching(const struct tui *t, size_t i)
 		FREED char *cell = of->table->cell(t, i, c);
 		xappend(&text, " %s", cell);
 	}
-	return text_contains_word(text, word->text);
+	return text_contains_folded(text, word->text);
 }
 
 /* Returns the nearest matching row before i (by -1) or after it (by 1), or i if
@@ -94,17 +95,17 @@ next_matching_row(const struct tui *t, size_t i, int by)
 {
 	size_t n = count_list_rows(t);
 	for (size_t to = i + (size_t)by; to < n; to += (size_t)by)
-		if (is_row_matching(t, to))
+		if (is_row_matching_filter(t, to))
 			return to;
 	return i;
 }
 
 size_t
-list_count_matching(const struct tui *t)
+list_count_matching_rows(const struct tui *t)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < count_list_rows(t); i++)
-		n += is_row_matching(t, i);
+		n += is_row_matching_filter(t, i);
 	return n;
 }
 
@@ -115,13 +116,13 @@ move_cursor_to_match(struct tui *t)
 {
 	if (count_list_rows(t) == 0)
 		return false;
-	size_t at = row_under_cursor(t);
-	if (!is_row_matching(t, at))
+	size_t at = list_row_under_cursor(t);
+	if (!is_row_matching_filter(t, at))
 		at = next_matching_row(t, at, 1);
-	if (!is_row_matching(t, at))
+	if (!is_row_matching_filter(t, at))
 		at = next_matching_row(t, at, -1);
 	move_cursor_to_row(t, at);
-	return is_row_matching(t, at);
+	return is_row_matching_filter(t, at);
 }
 
 static void
@@ -129,7 +130,7 @@ move_cursor_by_rows(struct tui *t, int by)
 {
 	if (!move_cursor_to_match(t))
 		return;
-	size_t at = row_under_cursor(t);
+	size_t at = list_row_under_cursor(t);
 	for (int left = abs(by); left > 0; left--) {
 		size_t next = next_matching_row(t, at, by > 0 ? 1 : -1);
 		if (next == at)
@@ -142,10 +143,10 @@ move_cursor_by_rows(struct tui *t, int by)
 /* Returns the first row to draw, so that `room` rows include the one under the
  * cursor and, if possible, none is left blank. */
 static size_t
-first_row_to_draw(struct tui *t, int room)
+first_list_row_to_draw(struct tui *t, int room)
 {
-	size_t *top = &current_list_state(t)->top, first = row_under_cursor(t),
-	       i = first;
+	size_t *top = &current_list_state(t)->top,
+	       first = list_row_under_cursor(t), i = first;
 	int shown = 1;
 	for (; first > *top && shown < room &&
 	       next_matching_row(t, first, -1) != first;
@@ -167,11 +168,11 @@ list_has_rows(const struct tui *t)
 }
 
 static void
-list_open_row(struct tui *t)
+list_open_row_at_cursor(struct tui *t)
 {
-	if (current_list(t)->open != NULL &&
-	    is_row_matching(t, row_under_cursor(t)))
-		current_list(t)->open(t);
+	if (current_page_list(t)->open != NULL &&
+	    is_row_matching_filter(t, list_row_under_cursor(t)))
+		current_page_list(t)->open(t);
 }
 
 static void
@@ -180,10 +181,10 @@ on_click_row(struct tui *t, const struct mouse_event *touched)
 	/* Another page may have been opened since the frame was drawn. */
 	if (count_list_rows(t) <= touched->item)
 		return;
-	bool again = row_under_cursor(t) == touched->item;
+	bool again = list_row_under_cursor(t) == touched->item;
 	move_cursor_to_row(t, touched->item);
 	if (again)
-		list_open_row(t);
+		list_open_row_at_cursor(t);
 }
 
 static void
@@ -198,16 +199,17 @@ list_draw_rows(
 {
 	int row = 0;
 	bool any = move_cursor_to_match(t);
-	size_t i = any ? first_row_to_draw(t, area->rows) : 0, next = i;
+	size_t i = any ? first_list_row_to_draw(t, area->rows) : 0, next = i;
 	for (; any && row < area->rows; row++) {
 		const struct area line = area_of_row(area, row);
-		bool here = i == row_under_cursor(t);
+		bool here = i == list_row_under_cursor(t);
 		if (here) {
-			screen_text(
+			screen_draw_text(
 			    &line, 0, 0, LOOK_REVERSE, "%*s", line.columns, "");
 			t->cursor = (struct cursor){line.row, line.column};
 		}
-		hits_add(&t->hits, HIT_PRESS, line, on_click_row, i);
+		hits_add_mouse_handler(
+		    &t->hits, HIT_PRESS, line, on_click_row, i);
 		draw(t, &line, i, here ? LOOK_REVERSE : LOOK_PLAIN, of);
 		next = next_matching_row(t, i, 1);
 		any = next != i;
@@ -239,7 +241,7 @@ table_measure_columns(const struct tui *t, const struct list_table *table,
 }
 
 static int
-column_of_rank(const struct list_table *table, int rank)
+find_column_with_rank(const struct list_table *table, int rank)
 {
 	int c = 0;
 	while (table->column[c].rank != rank)
@@ -254,9 +256,9 @@ table_fit_columns(const struct list_table *table, int columns,
     const int wanted[static LIST_COLUMNS], int width[static LIST_COLUMNS])
 {
 	memset(width, 0, LIST_COLUMNS * sizeof *width);
-	int second = table->column[column_of_rank(table, 1)].least;
+	int second = table->column[find_column_with_rank(table, 1)].least;
 	for (int rank = 0; rank < table->n; rank++) {
-		int c = column_of_rank(table, rank);
+		int c = find_column_with_rank(table, rank);
 		int least = table->column[c].least;
 		/* A number needs its full width, and a space before it. */
 		if (table->column[c].right)
@@ -280,9 +282,9 @@ struct table_drawn {
 };
 
 static void
-on_click_heading(struct tui *t, const struct mouse_event *touched)
+on_click_column_heading(struct tui *t, const struct mouse_event *touched)
 {
-	const struct page_list *list = current_list(t);
+	const struct page_list *list = current_page_list(t);
 	if (list != NULL && list->table != NULL && list->table->sort != NULL)
 		list->table->sort(t, (int)touched->item);
 }
@@ -300,16 +302,17 @@ table_draw_head(struct tui *t, const struct list_table *table,
 	int room = cell->columns - text_width_in_columns(text);
 	int from = of->right && room > 0 ? room : 0;
 	unsigned look = LOOK_BOLD | (sorted ? LOOK_REVERSE : LOOK_PLAIN);
-	int end = screen_text(cell, 0, from, look, "%s", text);
+	int end = screen_draw_text(cell, 0, from, look, "%s", text);
 	/* A blank column follows the cell. */
 	struct area wide = *cell;
 	wide.columns++;
 	if (sorted)
-		screen_text(&wide, 0, from > 0 ? from - 1 : end, look, "%s",
-		    t->ui.sort_down ? "v" : "^");
+		screen_draw_text(&wide, 0, from > 0 ? from - 1 : end, look,
+		    "%s", t->ui.sort_down ? "v" : "^");
 	if (table->sort != NULL)
-		hits_add(&t->hits, HIT_PRESS, area_of_row(cell, 0),
-		    on_click_heading, (size_t)column);
+		hits_add_mouse_handler(&t->hits, HIT_PRESS,
+		    area_of_row(cell, 0), on_click_column_heading,
+		    (size_t)column);
 }
 
 /* Draws one cell at its own column, because texts may have wide letters. */
@@ -320,13 +323,13 @@ table_draw_cell(const struct tui *t, const struct list_table *table,
 	FREED char *text = table->cell(t, i, column);
 	enum series series;
 	if (table->column[column].right)
-		screen_text(cell, 0, 0, look, "%*s", cell->columns, text);
+		screen_draw_text(cell, 0, 0, look, "%*s", cell->columns, text);
 	else if (table->series != NULL &&
 		 table->series(t, i, column, text, &series))
-		screen_draw_series_text(
+		screen_draw_text_in_series_colour(
 		    cell, 0, 0, series, look | LOOK_BOLD, text);
 	else
-		screen_text(cell, 0, 0, look, "%s", text);
+		screen_draw_text(cell, 0, 0, look, "%s", text);
 }
 
 /* Draws row i or, if i is SIZE_MAX, the headings.  A text has a gap before it,
@@ -359,9 +362,9 @@ draw_marks_of_more_rows(struct tui *t, const struct area *area)
 	for (int row = 2; row < area->rows; row++)
 		last = next_matching_row(t, last, 1);
 	if (next_matching_row(t, first, -1) != first)
-		screen_text(area, 1, area->columns - 1, LOOK_BOLD, "^");
+		screen_draw_text(area, 1, area->columns - 1, LOOK_BOLD, "^");
 	if (next_matching_row(t, last, 1) != last)
-		screen_text(
+		screen_draw_text(
 		    area, area->rows - 1, area->columns - 1, LOOK_BOLD, "v");
 }
 
@@ -370,10 +373,10 @@ table_draw(struct tui *t, const struct area *area,
     const struct list_table *table, const int wanted[static LIST_COLUMNS])
 {
 	struct table_drawn drawn = {.table = table};
-	struct area rows = *area, head = area_cut(&rows, EDGE_TOP, 1);
+	struct area rows = *area, head = area_cut_off_edge(&rows, EDGE_TOP, 1);
 	/* The rows of a goal, which are not sorted, need the whole width. */
 	const bool more =
-	    table->sort != NULL && (int)list_count_matching(t) > rows.rows;
+	    table->sort != NULL && (int)list_count_matching_rows(t) > rows.rows;
 	if (more)
 		rows.columns = head.columns = area->columns - 1;
 	table_fit_columns(table, rows.columns, wanted, drawn.width);
@@ -388,7 +391,8 @@ table_draw(struct tui *t, const struct area *area,
 void
 list_add_wheel_area(struct tui *t, struct area area)
 {
-	hits_add(&t->hits, HIT_WHEEL, area, on_wheel_move_cursor, 0);
+	hits_add_mouse_handler(
+	    &t->hits, HIT_WHEEL, area, on_wheel_move_cursor, 0);
 }
 
 /* Updates the rows, because several keys may be handled before the next
@@ -396,7 +400,7 @@ list_add_wheel_area(struct tui *t, struct area area)
 static void
 update_list_rows(struct tui *t)
 {
-	const struct page_list *of = current_list(t);
+	const struct page_list *of = current_page_list(t);
 	if (of != NULL && of->update != NULL && !t->picker.on)
 		of->update(t);
 }
@@ -425,18 +429,19 @@ act_open_row(struct tui *t, const struct key *key)
 {
 	(void)key;
 	update_list_rows(t);
-	if (list_has_rows(t) && current_list(t)->open != NULL)
-		list_open_row(t);
+	if (list_has_rows(t) && current_page_list(t)->open != NULL)
+		list_open_row_at_cursor(t);
 	else
-		tui_say(t, false, "there is nothing to open on this page");
+		tui_set_message(
+		    t, false, "there is nothing to open on this page");
 }
 
 void
-act_type_filter(struct tui *t, const struct key *key)
+act_open_filter_field(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!has_searchable_rows(current_list(t))) {
-		tui_say(t, false, "there are no rows to look through");
+	if (!has_searchable_rows(current_page_list(t))) {
+		tui_set_message(t, false, "there are no rows to look through");
 		return;
 	}
 	t->message[0] = '\0';
@@ -446,13 +451,13 @@ act_type_filter(struct tui *t, const struct key *key)
 bool
 list_handle_filter_key(struct tui *t, int code, bool special)
 {
-	if (current_list(t) == NULL)
+	if (current_page_list(t) == NULL)
 		return false;
 	if (t->filter.active && (code == '\n' || code == '\r')) {
 		t->filter.active = false;
 		return true;
 	}
-	if (!edit_type_letter(
+	if (!edit_insert_or_erase_letter(
 		current_filter_word(t), code, special, VIEWER_WORD))
 		return false;
 	move_cursor_to_match(t);

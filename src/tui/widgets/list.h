@@ -7,10 +7,10 @@
 #include "tui/pane.h"
 
 /* list_has_rows returns true if there is a list that has rows;
- * list_count_matching returns the number of rows that contain the filter word,
- * or of all rows without a word. */
+ * list_count_matching_rows returns the number of rows that contain the filter
+ * word, or of all rows without a word. */
 bool list_has_rows(const struct tui *t);
-size_t list_count_matching(const struct tui *t);
+size_t list_count_matching_rows(const struct tui *t);
 
 /* Draws row i of a list in `line`.  look: of its text.  of: as passed to
  * list_draw_rows. */

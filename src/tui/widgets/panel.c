@@ -40,7 +40,7 @@ has_pinned_prediction(const struct tui *t)
 
 /* Returns the numbers with which changes are computed, or NULL. */
 static const struct numbers *
-numbers_to_compare_with(const struct tui *t)
+reference_numbers_for_changes(const struct tui *t)
 {
 	return has_pinned_prediction(t)            ? &t->view.pinned
 	       : t->view.reference.site[0] != '\0' ? &t->view.reference
@@ -56,12 +56,12 @@ is_change_visible(double change, int digits)
 
 /* Draws the change, "-0.03", unless it would be shown as 0. */
 static void
-draw_change(
+draw_number_change(
     const struct area *area, int row, double now, double was, int digits)
 {
 	if (isfinite(now) && isfinite(was) &&
 	    is_change_visible(now - was, digits))
-		screen_text(area, row, area->columns - CHANGE_COLUMNS, 0,
+		screen_draw_text(area, row, area->columns - CHANGE_COLUMNS, 0,
 		    "%+*.*f", CHANGE_COLUMNS, digits, now - was);
 }
 
@@ -69,8 +69,8 @@ draw_change(
  * after the number, with the unit: "5.36\u00b10.08" or "5.36+-0.08".  Draws
  * nothing if there is no band. */
 static void
-draw_band_of_number(const struct area *area, int row, double low, double high,
-    int digits, const char *unit)
+draw_band_after_number(const struct area *area, int row, double low,
+    double high, int digits, const char *unit)
 {
 	const double long_number = 100;
 	if (!isfinite(low) || !isfinite(high))
@@ -78,25 +78,26 @@ draw_band_of_number(const struct area *area, int row, double low, double high,
 	if (area->columns < WIDE) {
 		bool ascii = screen_charset() == CHARSET_ASCII;
 		if (high < long_number)
-			screen_text(area, row, UNIT - 1, LOOK_DIM, "%s%.*f%s",
-			    ascii ? "+-" : "\u00b1", digits, (high - low) / 2,
-			    unit + (ascii && unit[0] == ' '));
+			screen_draw_text(area, row, UNIT - 1, LOOK_DIM,
+			    "%s%.*f%s", ascii ? "+-" : "\u00b1", digits,
+			    (high - low) / 2, unit + (ascii && unit[0] == ' '));
 		return;
 	}
-	screen_text(area, row, BAND, LOOK_DIM, "%.*f..%.*f",
+	screen_draw_text(area, row, BAND, LOOK_DIM, "%.*f..%.*f",
 	    high < long_number ? digits : 0, low,
 	    high < long_number ? digits : 0, high);
 }
 
 static void
-draw_size_or_reason(const struct area *area, int row, unsigned look, double mm)
+draw_size_or_why_none(
+    const struct area *area, int row, unsigned look, double mm)
 {
 	char text[24];
 	if (!isfinite(mm) || mm < 1000 * ANSWERS_NO_SIZE)
-		screen_text(area, row, VALUE + 1, look, "%s",
-		    readout_size_or_reason(mm, text));
+		screen_draw_text(area, row, VALUE + 1, look, "%s",
+		    readout_size_or_reason_text(mm, text));
 	else
-		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
+		screen_draw_text(area, row, VALUE, look, "%6.2f mm", mm);
 }
 
 /* The speed, and the one that it is compared with. */
@@ -111,7 +112,7 @@ speed_rows_wanted(struct tui *t)
 /* Returns true if the sizes have changed: perhaps the site was calibrated
  * again. */
 static bool
-are_sizes_changed(const struct numbers *now, const struct numbers *was)
+are_product_sizes_changed(const struct numbers *now, const struct numbers *was)
 {
 	bool changed = false;
 	for (int i = 0; i < PSD_SIZES; i++)
@@ -126,24 +127,25 @@ static void
 panel_draw_speed(struct tui *t, const struct area *area)
 {
 	const struct numbers *now = &t->view.current,
-			     *was = numbers_to_compare_with(t);
+			     *was = reference_numbers_for_changes(t);
 	bool other =
 	    has_pinned_prediction(t) && strcmp(was->site, now->site) != 0;
-	const struct site *site = other ? NULL : tui_current_entry(t)->site;
+	const struct site *site =
+	    other ? NULL : tui_current_site_entry(t)->site;
 	int decimals = answers_is_sheet_in_rpm(site) ? 0 : 1;
 	FREED char *speed = answers_speed_text(site, now->speed, 1);
 	enum { FROM = 10 };
-	screen_text(area, 0, 0, LOOK_BOLD, "%s", speed);
+	screen_draw_text(area, 0, 0, LOOK_BOLD, "%s", speed);
 	if (has_pinned_prediction(t))
-		screen_text(area, 0, FROM, LOOK_DIM, "vs pinned %.*f", decimals,
-		    answers_speed_number(site, was->speed));
+		screen_draw_text(area, 0, FROM, LOOK_DIM, "vs pinned %.*f",
+		    decimals, answers_speed_in_sheet_unit(site, was->speed));
 	else if (was != NULL && was->speed != now->speed)
-		screen_text(area, 0, FROM, LOOK_DIM, "vs %.*f", decimals,
-		    answers_speed_number(site, was->speed));
-	else if (was != NULL && are_sizes_changed(now, was))
-		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
+		screen_draw_text(area, 0, FROM, LOOK_DIM, "vs %.*f", decimals,
+		    answers_speed_in_sheet_unit(site, was->speed));
+	else if (was != NULL && are_product_sizes_changed(now, was))
+		screen_draw_text(area, 0, FROM, LOOK_DIM, "vs last answer");
 	if (area->rows > 1)
-		screen_text(
+		screen_draw_text(
 		    area, 1, 0, LOOK_DIM, "pinned: %s", t->view.pinned.site);
 }
 
@@ -164,41 +166,41 @@ on_click_size(struct tui *t, const struct mouse_event *touched)
 static void
 draw_p_sizes(struct tui *t, const struct area *area)
 {
-	const struct numbers *was = numbers_to_compare_with(t);
+	const struct numbers *was = reference_numbers_for_changes(t);
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
-		screen_text(area, i, 0, LOOK_BOLD, "%s", PSD_NAME[i]);
-		draw_size_or_reason(
+		screen_draw_text(area, i, 0, LOOK_BOLD, "%s", PSD_NAME[i]);
+		draw_size_or_why_none(
 		    area, i, LOOK_BOLD, t->view.current.size[i]);
-		draw_band_of_number(
+		draw_band_after_number(
 		    area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (was != NULL)
-			draw_change(
+			draw_number_change(
 			    area, i, t->view.current.size[i], was->size[i], 2);
-		hits_add(&t->hits, HIT_PRESS, area_of_row(area, i),
-		    on_click_size, (size_t)i);
+		hits_add_mouse_handler(&t->hits, HIT_PRESS,
+		    area_of_row(area, i), on_click_size, (size_t)i);
 	}
 }
 
 static void
 draw_break_size(struct tui *t, const struct area *area)
 {
-	const struct numbers *was = numbers_to_compare_with(t);
+	const struct numbers *was = reference_numbers_for_changes(t);
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
-	screen_text(area, 0, 0, 0, "%s", tr("break"));
-	draw_size_or_reason(area, 0, LOOK_PLAIN, t->view.current.break_mm);
+	screen_draw_text(area, 0, 0, 0, "%s", tr("break"));
+	draw_size_or_why_none(area, 0, LOOK_PLAIN, t->view.current.break_mm);
 	/* The band comes from the draws.  If it does not include the value of
 	 * the fit, it would be taken for an error. */
 	double mm = t->view.current.break_mm;
 	bool within = 1000 * range[0] <= mm && mm <= 1000 * range[1];
 	if (area->columns >= WIDE && within)
-		draw_band_of_number(
+		draw_band_after_number(
 		    area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (was != NULL)
-		draw_change(
+		draw_number_change(
 		    area, 0, t->view.current.break_mm, was->break_mm, 2);
 	if (area->rows > 1)
-		screen_text(area, 1, 0, 0,
+		screen_draw_text(area, 1, 0, 0,
 		    area->columns < WIDE
 			? N_("%4.0f J/kg: %.0f %% broken")
 			: N_("%4.0f J/kg: %.0f %% of the feed breaks"),
@@ -206,7 +208,7 @@ draw_break_size(struct tui *t, const struct area *area)
 }
 
 static struct wish
-fraction_rows_wanted(struct tui *t)
+passing_rows_wanted(struct tui *t)
 {
 	int n = 0;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
@@ -216,7 +218,7 @@ fraction_rows_wanted(struct tui *t)
 
 /* Puts the crosshair on the sieve of a fraction, or on the next finer one. */
 static void
-on_click_fraction(struct tui *t, const struct mouse_event *touched)
+on_click_passing_number(struct tui *t, const struct mouse_event *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
@@ -231,11 +233,11 @@ on_click_fraction(struct tui *t, const struct mouse_event *touched)
 /* Draws a row for each passing, from `row` on.  all: the number that stands for
  * 100 % in that unit. */
 static void
-draw_passings(struct tui *t, const struct area *area, int row, double all,
+draw_passing_rows(struct tui *t, const struct area *area, int row, double all,
     const char *unit)
 {
 	static const char *const NAME[] = {N_("fines "), "<2 mm", "<4 mm"};
-	const struct numbers *was = numbers_to_compare_with(t);
+	const struct numbers *was = reference_numbers_for_changes(t);
 	const struct prediction *shown = &t->view.shown;
 	struct psd low = shown->product, high = shown->product;
 	low.passing = shown->low;
@@ -244,27 +246,27 @@ draw_passings(struct tui *t, const struct area *area, int row, double all,
 		double now = t->view.current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
-		screen_text(area, row, 0, 0, "%s", tr(NAME[i]));
-		screen_text(
+		screen_draw_text(area, row, 0, 0, "%s", tr(NAME[i]));
+		screen_draw_text(
 		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
 		if (shown->low != NULL)
-			draw_band_of_number(area, row,
+			draw_band_after_number(area, row,
 			    all * psd_passing(&low, NUMBERS_SIEVE[i]),
 			    all * psd_passing(&high, NUMBERS_SIEVE[i]), 1,
 			    unit[0] == '%' ? " %" : "    ");
 		if (was != NULL)
-			draw_change(
+			draw_number_change(
 			    area, row, now * part, was->passing[i] * part, 1);
-		hits_add(&t->hits, HIT_PRESS, area_of_row(area, row),
-		    on_click_fraction, i);
+		hits_add_mouse_handler(&t->hits, HIT_PRESS,
+		    area_of_row(area, row), on_click_passing_number, i);
 		row++;
 	}
 }
 
 static void
-draw_fractions(struct tui *t, const struct area *area)
+draw_passing_percents(struct tui *t, const struct area *area)
 {
-	draw_passings(t, area, 0, 100, "%");
+	draw_passing_rows(t, area, 0, 100, "%");
 }
 
 /* Returns the feed of the newest answer of flow, t/h, or NAN if that was about
@@ -276,24 +278,22 @@ newest_flow_feed_tph(const struct tui *t, double *back)
 	const struct session *s = t->session;
 	const struct answer *flow = NULL;
 	for (size_t i = s->n_answer; i-- > 0 && flow == NULL;)
-		if (strcmp(answer_command(s->answer[i]), "flow") == 0)
+		if (strcmp(answer_command_name(s->answer[i]), "flow") == 0)
 			flow = s->answer[i];
 	*back = NAN;
 	if (flow == NULL || strcmp(answer_view(flow).site,
-				tui_current_entry(t)->site->name) != 0)
+				tui_current_site_entry(t)->site->name) != 0)
 		return NAN;
-	*back = answer_find_number(flow, "circulating_tph") +
-		fmax(answer_find_number(flow, "crushers.cascade_tph"), 0);
-	return answer_find_number(flow, "feed_tph");
+	*back = answer_find_json_number(flow, "circulating_tph") +
+		fmax(answer_find_json_number(flow, "crushers.cascade_tph"), 0);
+	return answer_find_json_number(flow, "feed_tph");
 }
 
 static struct wish
 tonnes_rows_wanted(struct tui *t)
 {
 	double back, tph = newest_flow_feed_tph(t, &back);
-	int n = isnan(tph) ? 0
-		: back > 0 ? 2
-			   : 1 + fraction_rows_wanted(t).most;
+	int n = isnan(tph) ? 0 : back > 0 ? 2 : 1 + passing_rows_wanted(t).most;
 	return (struct wish){n, n};
 }
 
@@ -302,18 +302,20 @@ draw_tonnes_per_hour(struct tui *t, const struct area *area)
 {
 	double back, tph = newest_flow_feed_tph(t, &back);
 	if (back > 0) {
-		screen_text(area, 0, 0, 0, "%.6g t/h, %.1f go back", tph, back);
-		screen_text(area, 1, 0, LOOK_DIM, "for this speed type :flow");
+		screen_draw_text(
+		    area, 0, 0, 0, "%.6g t/h, %.1f go back", tph, back);
+		screen_draw_text(
+		    area, 1, 0, LOOK_DIM, "for this speed type :flow");
 		return;
 	}
-	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h", tph);
-	draw_passings(t, area, 1, tph, "t/h");
+	screen_draw_text(area, 0, 0, LOOK_DIM, "of %.6g t/h", tph);
+	draw_passing_rows(t, area, 1, tph, "t/h");
 }
 
 /* Wants a heading with the verdict and a row for each limit; with less room,
  * the limits with the smallest margins are shown. */
 static struct wish
-limit_rows_wanted(struct tui *t)
+screen_rows_wanted_for_limits(struct tui *t)
 {
 	const struct grading *g = envelope_check_at_slider(t);
 	if (t->session->spec == NULL)
@@ -325,9 +327,9 @@ limit_rows_wanted(struct tui *t)
 static void
 short_quantity_name(const struct quantity *q, char *name, size_t size)
 {
-	FREED char *typed = quantities_typed_text(q);
+	FREED char *typed = quantities_text_to_type(q);
 	if (q->kind == QUANTITY_PASSING)
-		snprintf(name, size, "%g", units_mm(q->x));
+		snprintf(name, size, "%g", units_m_to_mm(q->x));
 	else
 		snprintf(name, size, "%s",
 		    q->kind == QUANTITY_MODULUS ? "FM" : typed);
@@ -336,7 +338,7 @@ short_quantity_name(const struct quantity *q, char *name, size_t size)
 /* Draws limit i, the value at the slider's speed, and whether it is within the
  * limit. */
 static void
-panel_draw_limit(
+panel_draw_envelope_limit(
     const struct area *area, int row, const struct grading *g, size_t i)
 {
 	const struct condition *c = &g->limits.at[i];
@@ -352,13 +354,13 @@ panel_draw_limit(
 		snprintf(limits, sizeof limits, "<= %g", most);
 	else
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
-	screen_text(area, row, 0, in ? LOOK_PLAIN : LOOK_BOLD, "%s", name);
-	screen_text(area, row, VALUE, 0, "%6.*f", quantities_decimals(&q),
+	screen_draw_text(area, row, 0, in ? LOOK_PLAIN : LOOK_BOLD, "%s", name);
+	screen_draw_text(area, row, VALUE, 0, "%6.*f", quantities_decimals(&q),
 	    forecast_value_in_shown_unit(g->conditions.forecast, i).value);
 	if (!isnan(least) || !isnan(most))
-		screen_text(area, row, UNIT, LOOK_DIM, "%s", limits);
-	screen_text(area, row, area->columns - 3, in ? LOOK_PLAIN : LOOK_BOLD,
-	    in ? N_(" in") : N_("OUT"));
+		screen_draw_text(area, row, UNIT, LOOK_DIM, "%s", limits);
+	screen_draw_text(area, row, area->columns - 3,
+	    in ? LOOK_PLAIN : LOOK_BOLD, in ? N_(" in") : N_("OUT"));
 }
 
 /* Returns the rank of limit i among margins [n], 0 for the smallest. */
@@ -380,28 +382,28 @@ on_click_verdict(struct tui *t, const struct mouse_event *touched)
 }
 
 static void
-panel_draw_limits(struct tui *t, const struct area *area)
+panel_draw_envelope_limits(struct tui *t, const struct area *area)
 {
 	const struct grading *g = envelope_check_at_slider(t);
 	struct area name = *area;
 	name.columns -= 4;
-	hits_add(&t->hits, HIT_PRESS, *area, on_click_verdict, 1);
+	hits_add_mouse_handler(&t->hits, HIT_PRESS, *area, on_click_verdict, 1);
 	/* With the fraction, if it fits. */
-	FREED char *words = session_spec_fraction_text(t->session);
+	FREED char *words = session_envelope_size_fraction_text(t->session);
 	xappend_to_list(&words, " ", "%s", t->session->spec->name);
 	bool fits = text_width_in_columns(words) <= name.columns;
-	screen_text(
+	screen_draw_text(
 	    &name, 0, 0, LOOK_DIM, "%s", fits ? words : t->session->spec->name);
 	if (g == NULL) {
-		screen_text(area, 1, 0, 0,
+		screen_draw_text(area, 1, 0, 0,
 		    session_is_calibrating(t->session)
 			? N_("after the calibration")
 			: N_("not on the feed's sieves"));
 		return;
 	}
 	bool in = conditions_are_met(&g->conditions, SIZE_MAX);
-	screen_text(area, 0, area->columns - 3, in ? LOOK_BOLD : LOOK_REVERSE,
-	    in ? N_(" in") : N_("OUT"));
+	screen_draw_text(area, 0, area->columns - 3,
+	    in ? LOOK_BOLD : LOOK_REVERSE, in ? N_(" in") : N_("OUT"));
 	int row = 1;
 	size_t n = g->limits.n;
 	FREED double *margin = xcalloc_doubles(n);
@@ -409,7 +411,7 @@ panel_draw_limits(struct tui *t, const struct area *area)
 		margin[i] = condition_margin(&g->conditions, i).passing;
 	for (size_t i = 0; i < n; i++)
 		if ((int)rank_of_limit_by_margin(margin, n, i) < area->rows - 1)
-			panel_draw_limit(area, row++, g, i);
+			panel_draw_envelope_limit(area, row++, g, i);
 }
 
 static struct wish
@@ -449,7 +451,7 @@ light_of_shown_prediction(struct tui *t)
 	if (!v->light_known) {
 		trust_free(&v->light);
 		v->light = trust_in_answer_or_fit(
-		    t->session, tui_entry_for_prediction(t), &v->shown);
+		    t->session, tui_site_entry_for_prediction(t), &v->shown);
 		v->light_known = true;
 	}
 	return &v->light;
@@ -459,7 +461,7 @@ light_of_shown_prediction(struct tui *t)
  * below would move when the speed changes.  Only a red light shows its whole
  * reason. */
 static struct wish
-light_rows_wanted(struct tui *t)
+trust_light_rows_wanted(struct tui *t)
 {
 	enum { TALL = 30, MANY = 4, FEW = 2 };
 	const struct area *side = &t->layout.side;
@@ -502,13 +504,13 @@ draw_trust_reason(const struct area *area, const struct trust_reason *reason)
 static void
 draw_fit_quality(const struct tui *t, const struct area *area)
 {
-	double fit = 100 * tui_current_entry(t)->fit.rmse,
+	double fit = 100 * tui_current_site_entry(t)->fit.rmse,
 	       held = t->view.holdout;
 	int decimals = fit < 10 && held < 10 ? 2 : 1;
 	if (!isfinite(held))
-		screen_text(area, 1, 0, 0, "fit %.2f points", fit);
+		screen_draw_text(area, 1, 0, 0, "fit %.2f points", fit);
 	else
-		screen_text(area, 1, 0, 0,
+		screen_draw_text(area, 1, 0, 0,
 		    area->columns < WIDE ? N_("fit %.*f, held out %.*f")
 					 : N_("fit %.*f, held out %.*f points"),
 		    decimals, fit, decimals, held);
@@ -534,13 +536,13 @@ panel_draw_light(struct tui *t, const struct area *area)
 		    light->n);
 	FREED char *row = xasprintf(
 	    "%s%*s", words, area->columns - text_width_in_columns(words), "");
-	screen_draw_series_text(
+	screen_draw_text_in_series_colour(
 	    area, 0, 0, SERIES[light->light], LOOK_BOLD | LOOK_REVERSE, row);
-	hits_add(&t->hits, HIT_PRESS, *area, on_click_verdict, 0);
+	hits_add_mouse_handler(&t->hits, HIT_PRESS, *area, on_click_verdict, 0);
 	if (light->n > 0)
 		t->reason_shown =
 		    draw_trust_reason(area, trust_reason_to_show(light));
-	else if (tui_current_entry(t)->has_fit)
+	else if (tui_current_site_entry(t)->has_fit)
 		draw_fit_quality(t, area);
 }
 
@@ -556,21 +558,22 @@ static const struct block {
 	struct wish (*wish)(struct tui *t);
 	struct wish always;
 } BLOCK[BLOCKS] = {
-    {1, false, panel_draw_light, .wish = light_rows_wanted},
+    {1, false, panel_draw_light, .wish = trust_light_rows_wanted},
     {2, true, panel_draw_speed, .wish = speed_rows_wanted},
     {0, false, draw_p_sizes, .always = {PSD_SIZES, PSD_SIZES}},
     {5, false, draw_break_size, .always = {1, 2}},
-    {6, false, draw_fractions, .wish = fraction_rows_wanted},
-    {4, true, panel_draw_limits, .wish = limit_rows_wanted},
+    {6, false, draw_passing_percents, .wish = passing_rows_wanted},
+    {4, true, panel_draw_envelope_limits,
+	.wish = screen_rows_wanted_for_limits},
     {8, true, draw_tonnes_per_hour, .wish = tonnes_rows_wanted},
-    {3, true, readout_draw, .wish = readout_rows_wanted},
+    {3, true, readout_draw_at_crosshair, .wish = readout_rows_wanted},
     {7, true, sieve_table_draw, .wish = sieve_rows_wanted},
 };
 
 /* Shares `left` rows among the blocks; rows [BLOCKS] receives the rows of
  * each. */
 static void
-panel_share_rows(struct tui *t, int left, int rows[BLOCKS])
+panel_distribute_rows(struct tui *t, int left, int rows[BLOCKS])
 {
 	struct wish wish[BLOCKS];
 	size_t at[BLOCKS];
@@ -601,7 +604,7 @@ panel_draw_blocks(struct tui *t)
 {
 	const struct area *side = &t->layout.side;
 	int rows[BLOCKS], left = side->rows, row = 0;
-	panel_share_rows(t, side->rows, rows);
+	panel_distribute_rows(t, side->rows, rows);
 	for (size_t i = 0; i < BLOCKS; i++)
 		left -= rows[i];
 	for (size_t i = 0; i < BLOCKS; i++) {
@@ -623,27 +626,28 @@ static void
 draw_why_nothing_predicted(const struct tui *t)
 {
 	const struct area *side = &t->layout.side;
-	const struct site *site = tui_current_entry(t)->site;
+	const struct site *site = tui_current_site_entry(t)->site;
 	int row = 0;
 	/* The row of numbers already says it. */
 	if (t->layout.numbers.rows == 0)
-		screen_text(side, row++, 0, 0, "nothing predicted yet");
-	screen_text(side, row++, 0, 0,
+		screen_draw_text(side, row++, 0, 0, "nothing predicted yet");
+	screen_draw_text(side, row++, 0, 0,
 	    site_count_products(site) > 0 ? N_("Enter calibrates")
 					  : N_("no product: type :guess"));
 	row++;
 	if (!has_pinned_prediction(t)) {
-		FREED char *read = folder_describe_site(site);
-		pane_draw_lines(side, row, read);
+		FREED char *read = folder_site_summary_text(site);
+		pane_draw_text_lines(side, row, read);
 		return;
 	}
 	FREED char *speed =
 	    answers_speed_text(tui_pinned_site(t), t->view.pinned.speed, 1);
-	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %s %s", speed,
+	screen_draw_text(side, row++, 0, LOOK_BOLD, "pinned: %s %s", speed,
 	    t->view.pinned.site);
 	for (int i = 0; i < PSD_SIZES; i++) {
-		screen_text(side, row + i, 0, 0, "P%.0f", 100 * PSD_PASSING[i]);
-		draw_size_or_reason(
+		screen_draw_text(
+		    side, row + i, 0, 0, "P%.0f", 100 * PSD_PASSING[i]);
+		draw_size_or_why_none(
 		    side, row + i, LOOK_PLAIN, t->view.pinned.size[i]);
 	}
 }
@@ -737,7 +741,7 @@ short_size_text(double mm, char text[static 24])
 }
 
 void
-panel_draw_number_row(struct tui *t)
+panel_draw_row_of_numbers(struct tui *t)
 {
 	const struct area *area = &t->layout.numbers;
 	const struct prediction *p = &t->view.shown;
@@ -749,36 +753,37 @@ panel_draw_number_row(struct tui *t)
 		t->ui.list[PAGE_SITES].at != t->session->current))
 		return;
 	if (t->view.current.site[0] == '\0')
-		screen_text(area, 0, 0, 0,
+		screen_draw_text(area, 0, 0, 0,
 		    area->columns < 21 ? N_("not predicted yet")
 				       : N_("nothing predicted yet"));
 	else if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n) {
 		bool narrow = area->columns < 34, least = area->columns < 24;
 		double mm = 1000 * psd_size_at_passing(&p->curve,
 				       t->ui.crosshair_passing / 100.0);
-		screen_text(area, 0, 0, LOOK_BOLD,
+		screen_draw_text(area, 0, 0, LOOK_BOLD,
 		    least    ? "%g %.1f%% P%d %s"
 		    : narrow ? N_("%g %.1f %% P%d %s mm")
 			     : N_("%g mm %.1f %%  %d %% %s"),
-		    units_mm(p->product.size[t->ui.crosshair_sieve]),
+		    units_m_to_mm(p->product.size[t->ui.crosshair_sieve]),
 		    100 * p->product.passing[t->ui.crosshair_sieve],
 		    t->ui.crosshair_passing,
 		    narrow ? short_size_text(mm, a)
-			   : readout_size_or_reason(mm, a));
+			   : readout_size_or_reason_text(mm, a));
 	} else if (area->columns < 34)
-		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
+		screen_draw_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
 		    short_size_text(t->view.current.size[1], b),
 		    short_size_text(t->view.current.size[2], c));
 	else if (area->columns < 60)
-		screen_text(area, 0, 0, LOOK_BOLD, "P20 %s P50 %s P80 %s mm",
+		screen_draw_text(area, 0, 0, LOOK_BOLD,
+		    "P20 %s P50 %s P80 %s mm",
 		    short_size_text(t->view.current.size[0], a),
 		    short_size_text(t->view.current.size[1], b),
 		    short_size_text(t->view.current.size[2], c));
 	else
-		screen_text(area, 0, 0, LOOK_BOLD,
+		screen_draw_text(area, 0, 0, LOOK_BOLD,
 		    "P20 %s  P50 %s  P80 %s  break size %s",
-		    readout_size_or_reason(t->view.current.size[0], a),
-		    readout_size_or_reason(t->view.current.size[1], b),
-		    readout_size_or_reason(t->view.current.size[2], c),
-		    readout_size_or_reason(t->view.current.break_mm, d));
+		    readout_size_or_reason_text(t->view.current.size[0], a),
+		    readout_size_or_reason_text(t->view.current.size[1], b),
+		    readout_size_or_reason_text(t->view.current.size[2], c),
+		    readout_size_or_reason_text(t->view.current.break_mm, d));
 }

@@ -15,6 +15,6 @@ void panel_draw(struct tui *t);
 char *panel_trust_text(struct tui *t, int columns, int most);
 
 /* Draws the row of numbers that replaces the side panel, on any page. */
-void panel_draw_number_row(struct tui *t);
+void panel_draw_row_of_numbers(struct tui *t);
 
 #endif

@@ -16,7 +16,7 @@
 #include "tui/screen.h"
 
 const char *
-readout_size_or_reason(double mm, char text[static 24])
+readout_size_or_reason_text(double mm, char text[static 24])
 {
 	if (isnan(mm))
 		snprintf(text, 24, tr("off sieves"));
@@ -32,7 +32,7 @@ readout_size_or_reason(double mm, char text[static 24])
 /* Draws a row: the passing of a curve at the crosshair's sieve, and its size at
  * the crosshair's passing, read off `finer`. */
 static void
-draw_curve_reading(const struct tui *t, const struct area *area, int row,
+draw_curve_at_crosshair(const struct tui *t, const struct area *area, int row,
     unsigned look, const char *name, const struct psd *psd,
     const struct psd *finer)
 {
@@ -41,12 +41,12 @@ draw_curve_reading(const struct tui *t, const struct area *area, int row,
 	double mm =
 	    1000 * psd_size_at_passing(finer, t->ui.crosshair_passing / 100.0);
 	if (isfinite(mm))
-		readout_size_or_reason(mm, size);
-	screen_text(area, row, 0, look, "%-8.8s", name);
+		readout_size_or_reason_text(mm, size);
+	screen_draw_text(area, row, 0, look, "%-8.8s", name);
 	if (psd_covers_size(psd, x))
-		screen_text(
+		screen_draw_text(
 		    area, row, 8, look, "%5.1f %%", 100 * psd_passing(psd, x));
-	screen_text(area, row, 15, look, "%9s", size);
+	screen_draw_text(area, row, 15, look, "%9s", size);
 }
 
 /* Draws the band of the passing and, if there is a row for it, that of the
@@ -57,18 +57,18 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 	const struct prediction *p = &t->view.shown;
 	if (!t->ui.band || p->low == NULL)
 		return;
-	screen_text(area, row++, 0, 0, "band %5.1f .. %.1f %%",
+	screen_draw_text(area, row++, 0, 0, "band %5.1f .. %.1f %%",
 	    100 * p->low[t->ui.crosshair_sieve],
 	    100 * p->high[t->ui.crosshair_sieve]);
 	const struct quantity size = {
 	    .kind = QUANTITY_SIZE, .x = t->ui.crosshair_passing / 100.0};
 	const struct question q = question_of_whole_product(
-	    t->session, tui_entry_for_prediction(t), p->feed_run);
+	    t->session, tui_site_entry_for_prediction(t), p->feed_run);
 	struct forecast *f = forecast_open(t->session, &q, &size, 1);
 	forecast_set_speed(f, p->speed);
 	struct figure at = forecast_value_with_band(f, 0);
 	if (row < area->rows && isfinite(at.low) && isfinite(at.high))
-		screen_text(area, row, 0, 0, "     %5.2f .. %.2f mm",
+		screen_draw_text(area, row, 0, 0, "     %5.2f .. %.2f mm",
 		    1000 * at.low, 1000 * at.high);
 	forecast_close(f);
 }
@@ -80,7 +80,7 @@ readout_count_rows(const struct tui *t)
 	if (!t->ui.crosshair ||
 	    t->ui.crosshair_sieve >= t->view.shown.product.n)
 		return 0;
-	const struct site *site = tui_current_entry(t)->site;
+	const struct site *site = tui_current_site_entry(t)->site;
 	return OTHERS +
 	       (tui_other_feed(t)[0] == '\0' ? (int)site_count_products(site)
 					     : 0) +
@@ -89,35 +89,36 @@ readout_count_rows(const struct tui *t)
 }
 
 void
-readout_draw(struct tui *t, const struct area *area)
+readout_draw_at_crosshair(struct tui *t, const struct area *area)
 {
 	const struct prediction *p = &t->view.shown;
-	const struct site *site = tui_current_entry(t)->site;
+	const struct site *site = tui_current_site_entry(t)->site;
 	bool pin = t->view.pinned.site[0] != '\0';
 	char name[40];
 	int row = 0, others = 1 + (t->ui.band && p->low != NULL) + pin;
 	enum { ABOVE = 2 };
 	int room = area->rows - ABOVE - others;
 	snprintf(name, sizeof name, tr("crosshair %g mm"),
-	    units_mm(p->product.size[t->ui.crosshair_sieve]));
-	screen_text(area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name,
+	    units_m_to_mm(p->product.size[t->ui.crosshair_sieve]));
+	screen_draw_text(area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name,
 	    t->ui.crosshair_passing);
-	draw_curve_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
+	draw_curve_at_crosshair(t, area, row++, 0, "feed", &p->feed, &p->feed);
 	for (size_t r = 0; r < site->n_run && tui_other_feed(t)[0] == '\0';
 	     r++) {
 		const struct run *run = &site->run[r];
 		if (row + others >= area->rows ||
-		    !site_run_is_near_speed(site, r, p->speed, (size_t)room))
+		    !site_run_is_among_nearest(site, r, p->speed, (size_t)room))
 			continue;
 		snprintf(name, sizeof name, tr("meas %g%s"), run->speed,
 		    run->repeat);
-		draw_curve_reading(t, area, row++, 0, name,
-		    tui_measured_product(t, r), tui_measured_product(t, r));
+		draw_curve_at_crosshair(t, area, row++, 0, name,
+		    tui_product_adjusted_to_feed(t, r),
+		    tui_product_adjusted_to_feed(t, r));
 	}
-	draw_curve_reading(
+	draw_curve_at_crosshair(
 	    t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)
-		draw_curve_reading(t, area, row++, 0, "pinned",
+		draw_curve_at_crosshair(t, area, row++, 0, "pinned",
 		    &t->session->pin->p.product, &t->session->pin->p.curve);
 	readout_draw_band(t, area, row);
 }

@@ -10,9 +10,9 @@ int readout_count_rows(const struct tui *t);
 
 /* Draws the passing of each curve at the crosshair's sieve, and its size at the
  * crosshair's passing. */
-void readout_draw(struct tui *t, const struct area *area);
+void readout_draw_at_crosshair(struct tui *t, const struct area *area);
 
 /* Writes a size, "2.81 mm", or why there is none, to text, and returns text. */
-const char *readout_size_or_reason(double mm, char text[static 24]);
+const char *readout_size_or_reason_text(double mm, char text[static 24]);
 
 #endif

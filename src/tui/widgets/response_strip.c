@@ -26,7 +26,7 @@ enum { IN_ONE_GO = 8 };
 static const double PAUSE = 0.05;
 
 static struct quantity
-make_strip_quantity(enum quantity_kind kind, double x, double coarse)
+make_response_strip_quantity(enum quantity_kind kind, double x, double coarse)
 {
 	return (struct quantity){.kind = kind,
 	    .x = x,
@@ -34,26 +34,26 @@ make_strip_quantity(enum quantity_kind kind, double x, double coarse)
 }
 
 struct quantity
-strip_default_quantity(void)
+response_strip_default_quantity(void)
 {
-	return make_strip_quantity(QUANTITY_SIZE, 0.8, 0);
+	return make_response_strip_quantity(QUANTITY_SIZE, 0.8, 0);
 }
 
 void
 act_next_quantity(struct tui *t, const struct key *key)
 {
-	const struct quantity all[] = {strip_default_quantity(),
-	    make_strip_quantity(QUANTITY_SIZE, 0.5, 0),
-	    make_strip_quantity(QUANTITY_SIZE, 0.2, 0),
-	    make_strip_quantity(QUANTITY_PASSING, 4e-3, 0),
-	    make_strip_quantity(QUANTITY_PASSING, 2e-3, 0),
-	    make_strip_quantity(QUANTITY_PASSING, 0.063e-3, 0),
-	    make_strip_quantity(QUANTITY_SHARE, 0, 2e-3),
-	    make_strip_quantity(QUANTITY_SHARE, 0, 4e-3)};
+	const struct quantity all[] = {response_strip_default_quantity(),
+	    make_response_strip_quantity(QUANTITY_SIZE, 0.5, 0),
+	    make_response_strip_quantity(QUANTITY_SIZE, 0.2, 0),
+	    make_response_strip_quantity(QUANTITY_PASSING, 4e-3, 0),
+	    make_response_strip_quantity(QUANTITY_PASSING, 2e-3, 0),
+	    make_response_strip_quantity(QUANTITY_PASSING, 0.063e-3, 0),
+	    make_response_strip_quantity(QUANTITY_SHARE, 0, 2e-3),
+	    make_response_strip_quantity(QUANTITY_SHARE, 0, 4e-3)};
 	const int n = ARRAY_LEN(all);
 	struct error error = {0};
 	int by = key->amount, at = by > 0 ? n - 1 : 0;
-	if (tui_current_entry(t) == NULL)
+	if (tui_current_site_entry(t) == NULL)
 		return;
 	for (int i = 0; i < n; i++)
 		if (quantity_is_same(&all[i], &t->ui.quantity))
@@ -70,10 +70,10 @@ act_next_quantity(struct tui *t, const struct key *key)
 /* Returns true if there is a curve to compute.  A running search has none,
  * because it would change with each generation. */
 static bool
-has_response_curve(const struct tui *t)
+can_compute_response_curve(const struct tui *t)
 {
 	const struct session *s = t->session;
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	return entry != NULL && entry->has_params &&
 	       session_entry_being_fitted(s) != entry;
 }
@@ -83,12 +83,13 @@ static bool
 is_strip_of_shown_quantity(const struct tui *t)
 {
 	const struct strip *a = &t->view.strip;
-	return a->basis == t->view.n_basis && a->feed == tui_feed_run(t) &&
+	return a->basis == t->view.n_basis &&
+	       a->feed == tui_run_index_of_feed(t) &&
 	       quantity_is_same(&a->of, &t->ui.quantity);
 }
 
 static bool
-is_strip_current(const struct tui *t)
+is_strip_up_to_date(const struct tui *t)
 {
 	const struct strip *a = &t->view.strip;
 	return a->n == STRIP_POINTS && is_strip_of_shown_quantity(t);
@@ -97,22 +98,22 @@ is_strip_current(const struct tui *t)
 /* Computes some points.  Opens a forecast each time, because what a forecast
  * borrows may be gone before the next. */
 static void
-compute_strip_points(struct tui *t)
+compute_response_strip_points(struct tui *t)
 {
 	struct strip *a = &t->view.strip;
 	const struct slider_range range = tui_slider_range(t);
 	if (!is_strip_of_shown_quantity(t))
 		a->n = 0;
 	a->basis = t->view.n_basis;
-	a->feed = tui_feed_run(t);
+	a->feed = tui_run_index_of_feed(t);
 	a->of = t->ui.quantity;
 	const struct question q = question_of_whole_product(
-	    t->session, tui_entry_for_prediction(t), a->feed);
+	    t->session, tui_site_entry_for_prediction(t), a->feed);
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
 	for (int i = 0; i < IN_ONE_GO && a->n < STRIP_POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
 		double share = (double)a->n / (STRIP_POINTS - 1);
-		a->speed[a->n] = slider_speed(
+		a->speed[a->n] = slider_speed_of_position(
 		    range, range.least + share * (range.most - range.least));
 		forecast_set_speed(f, a->speed[a->n]);
 		struct figure at = forecast_value_in_shown_unit(f, 0);
@@ -126,40 +127,41 @@ compute_strip_points(struct tui *t)
 double
 strip_seconds_to_wait(const struct tui *t)
 {
-	if (!has_response_curve(t))
+	if (!can_compute_response_curve(t))
 		return INFINITY;
-	if (is_strip_current(t) && !goal_is_pending(t))
+	if (is_strip_up_to_date(t) && !goal_is_search_needed(t))
 		return t->pending_key != NULL ? 0 : INFINITY;
-	return fmax(0, t->view.moved + PAUSE - session_clock());
+	return fmax(0, t->view.moved + PAUSE - session_clock_seconds());
 }
 
 /* Computes a part of the goal.  When it is complete and missed, the message
  * explains that, because a narrow heading has no room for it. */
 static void
-compute_part_of_goal(struct tui *t)
+run_goal_step_and_report_miss(struct tui *t)
 {
-	bool pending = goal_is_pending(t);
-	goal_compute_step(t);
-	if (!pending || goal_is_pending(t) || t->view.goal.missed == NULL ||
-	    t->message[0] != '\0')
+	bool pending = goal_is_search_needed(t);
+	goal_run_search_step(t);
+	if (!pending || goal_is_search_needed(t) ||
+	    t->view.goal.missed == NULL || t->message[0] != '\0')
 		return;
-	FREED char *words = goal_in_words(t, GOALS_FULL);
-	tui_say(t, false, "%s", words);
+	FREED char *words = goal_result_text(t, GOALS_FULL);
+	tui_set_message(t, false, "%s", words);
 }
 
 void
-strip_update(struct tui *t)
+response_strip_update(struct tui *t)
 {
-	if (!has_response_curve(t))
+	if (!can_compute_response_curve(t))
 		return;
 	bool now = t->aside || strip_seconds_to_wait(t) <= 0;
 	do {
-		goal_show_chosen_quantity(t);
-		if (now && !is_strip_current(t))
-			compute_strip_points(t);
+		goal_show_condition_quantity(t);
+		if (now && !is_strip_up_to_date(t))
+			compute_response_strip_points(t);
 		else if (now)
-			compute_part_of_goal(t);
-	} while (t->aside && (!is_strip_current(t) || goal_is_pending(t)));
+			run_goal_step_and_report_miss(t);
+	} while (
+	    t->aside && (!is_strip_up_to_date(t) || goal_is_search_needed(t)));
 }
 
 static double
@@ -179,7 +181,7 @@ struct limit {
 enum { MOST_LIMITS = 8 };
 
 static size_t
-list_limits_of_quantity(
+list_goal_limits_of_quantity(
     const struct tui *t, struct limit limit[static MOST_LIMITS])
 {
 	const struct condition_list *list = &t->view.goal.list;
@@ -204,9 +206,9 @@ list_limits_of_quantity(
 }
 
 static double
-measured_value_of_run(const struct tui *t, size_t run)
+measured_quantity_of_run(const struct tui *t, size_t run)
 {
-	const struct psd *product = tui_measured_product(t, run);
+	const struct psd *product = tui_product_adjusted_to_feed(t, run);
 	return product->n > 0 && tui_other_feed(t)[0] == '\0'
 		   ? quantities_value_in_shown_unit(&t->ui.quantity,
 			 screened_quantity_of_product(product, &t->ui.quantity))
@@ -216,7 +218,7 @@ measured_value_of_run(const struct tui *t, size_t run)
 /* Moves the ends of an axis outward by half of one of n parts, so that the old
  * ends are in the middle of the first and the last part, as on the track. */
 static void
-align_axis_with_cells(struct axis *axis, int n)
+widen_axis_by_half_cell(struct axis *axis, int n)
 {
 	double more = (axis->high - axis->low) / (2 * fmax(1, n - 1));
 	axis->low -= more;
@@ -236,17 +238,17 @@ extend_axis_to_value(struct axis *axis, double value)
  * outside it by no more than its width.  Returns false if there are no
  * values. */
 static bool
-scale_strip_axis(const struct tui *t, struct axis *axis)
+scale_response_strip_axis(const struct tui *t, struct axis *axis)
 {
 	struct limit limit[MOST_LIMITS];
-	size_t n = list_limits_of_quantity(t, limit);
+	size_t n = list_goal_limits_of_quantity(t, limit);
 	axis->low = INFINITY;
 	axis->high = -INFINITY;
 	for (size_t i = 0; i < STRIP_POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
 			extend_axis_to_value(axis, t->view.strip.value[i][k]);
-	for (size_t r = 0; r < tui_current_entry(t)->site->n_run; r++)
-		extend_axis_to_value(axis, measured_value_of_run(t, r));
+	for (size_t r = 0; r < tui_current_site_entry(t)->site->n_run; r++)
+		extend_axis_to_value(axis, measured_quantity_of_run(t, r));
 	if (!(axis->low <= axis->high))
 		return false;
 	double low = axis->low, high = axis->high, more = high - low;
@@ -267,7 +269,8 @@ add_strip_series(const struct tui *t, struct chart *chart, enum chart_line line)
 {
 	const struct chart_series look = {
 	    .series = SERIES_PREDICTED, .line = line, .ascii = '#'};
-	struct chart_series *s = chart_add(chart, look, STRIP_POINTS, "%s", "");
+	struct chart_series *s =
+	    chart_append_series(chart, look, STRIP_POINTS, "%s", "");
 	for (size_t i = 0; i < STRIP_POINTS; i++) {
 		s->x[i] = t->view.strip.speed[i];
 		s->y[i] = NAN;
@@ -277,12 +280,12 @@ add_strip_series(const struct tui *t, struct chart *chart, enum chart_line line)
 
 /* Adds the band where it is thicker than the line of the curve. */
 static void
-add_strip_band(const struct tui *t, struct chart *chart, int dots)
+add_response_strip_band(const struct tui *t, struct chart *chart, int dots)
 {
 	enum { THICK = 4 };
 	double least = THICK * (chart->y.high - chart->y.low) / dots;
 	struct chart_series *s = add_strip_series(t, chart, CHART_MARKS);
-	series_add_band(s);
+	series_allocate_band(s);
 	for (size_t i = 0; i < STRIP_POINTS; i++) {
 		const double *value = t->view.strip.value[i];
 		bool thick = value[2] - value[1] > least;
@@ -301,7 +304,7 @@ response_strip_add_curve(const struct tui *t, struct chart *chart)
 	for (size_t i = 0; i < STRIP_POINTS; i++) {
 		double value = t->view.strip.value[i][0];
 		bool is = answers_is_speed_extrapolated(
-		    tui_current_entry(t), within->x[i]);
+		    tui_current_site_entry(t), within->x[i]);
 		if (!is)
 			within->y[i] = value;
 		if (is || was)
@@ -319,16 +322,17 @@ is_value_on_axis(const struct axis *axis, double value)
 }
 
 static void
-response_strip_add_limits(const struct tui *t, struct chart *chart)
+response_strip_add_goal_limits(const struct tui *t, struct chart *chart)
 {
 	static const struct chart_series LOOK = {
 	    .series = SERIES_OTHER, .line = CHART_DOTTED, .ascii = '.'};
 	struct limit limit[MOST_LIMITS];
-	size_t n = list_limits_of_quantity(t, limit);
+	size_t n = list_goal_limits_of_quantity(t, limit);
 	for (size_t i = 0; i < n; i++) {
 		if (!is_value_on_axis(&chart->y, limit[i].value))
 			continue;
-		struct chart_series *s = chart_add(chart, LOOK, 2, "%s", "");
+		struct chart_series *s =
+		    chart_append_series(chart, LOOK, 2, "%s", "");
 		s->x[0] = chart->x.low;
 		s->x[1] = chart->x.high;
 		s->y[0] = s->y[1] = limit[i].value;
@@ -336,17 +340,17 @@ response_strip_add_limits(const struct tui *t, struct chart *chart)
 }
 
 static int
-strip_row_of_value(
+response_strip_row_of_value(
     const struct axis *axis, const struct area *area, double value)
 {
-	return axis_index_of_share(
+	return axis_cell_at_position(
 	    1 - axis_relative_position(axis, value), area->rows);
 }
 
 /* Returns the step between labels, 1, 2 or 5 times a power of ten: the smallest
  * at which each label has a row, or two if there are many rows. */
 static double
-round_label_step(const struct axis *axis, int rows)
+choose_round_label_step(const struct axis *axis, int rows)
 {
 	enum { MANY = 8 };
 	static const double ROUND[] = {1, 2, 5, 10, 20, 50};
@@ -363,7 +367,7 @@ round_label_step(const struct axis *axis, int rows)
  * Draws it only if it has at most four characters, because a number that is cut
  * would be another number.  Returns true if it was drawn. */
 static bool
-draw_strip_label(
+draw_strip_axis_number(
     const struct tui *t, int row, unsigned look, double value, double step)
 {
 	char text[32];
@@ -372,8 +376,8 @@ draw_strip_label(
 	if (fabs(value - atof(text)) > 1e-6 * fabs(value))
 		width = snprintf(text, sizeof text, "%.6g", value);
 	if (width <= 4)
-		screen_text(&t->layout.strip, row, width < 4 ? 3 - width : 0,
-		    look, "%s", text);
+		screen_draw_text(&t->layout.strip, row,
+		    width < 4 ? 3 - width : 0, look, "%s", text);
 	return width <= 4;
 }
 
@@ -387,7 +391,7 @@ response_strip_draw_limit(struct tui *t, const struct axis *axis,
 	    {"v", "^"}, {"\u25BC", "\u25B2"}};
 	const struct area *area = &t->layout.strip;
 	bool ascii = screen_charset() == CHARSET_ASCII;
-	int row = strip_row_of_value(axis, area, limit->value);
+	int row = response_strip_row_of_value(axis, area, limit->value);
 	bool on = is_value_on_axis(axis, limit->value);
 	FREED char *name = on ? xstrdup(limit->name)
 			      : xasprintf("%s%s %.6g",
@@ -396,11 +400,11 @@ response_strip_draw_limit(struct tui *t, const struct axis *axis,
 	int wide =
 	    text_width_in_columns(name) < 4 ? 4 : text_width_in_columns(name);
 	if (on)
-		draw_strip_label(t, row, LOOK_BOLD, limit->value, step);
-	screen_draw_series_text(
+		draw_strip_axis_number(t, row, LOOK_BOLD, limit->value, step);
+	screen_draw_text_in_series_colour(
 	    area, row, area->columns - wide, SERIES_OTHER, LOOK_BOLD, name);
-	hits_add_key(&t->hits,
-	    area_part_of_row(area, row, area->columns - wide, wide), 't');
+	hits_add_key_area(&t->hits,
+	    area_of_columns_in_row(area, row, area->columns - wide, wide), 't');
 }
 
 /* Labels limits, then round values, each in a row of its own.  Of the limits
@@ -410,13 +414,13 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 {
 	struct limit limit[MOST_LIMITS];
 	const struct area *area = &t->layout.strip;
-	size_t n = list_limits_of_quantity(t, limit);
+	size_t n = list_goal_limits_of_quantity(t, limit);
 	FREED bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
 	const struct limit *below = NULL, *above = NULL;
-	double step = round_label_step(axis, area->rows);
+	double step = choose_round_label_step(axis, area->rows);
 	for (size_t i = 0; i < n; i++) {
 		const struct limit *l = &limit[i];
-		int row = strip_row_of_value(axis, area, l->value);
+		int row = response_strip_row_of_value(axis, area, l->value);
 		if (l->value < axis->low) {
 			below = below == NULL || l->value > below->value
 				    ? l
@@ -436,9 +440,9 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 		response_strip_draw_limit(t, axis, above, step);
 	for (double v = ceil(axis->low / step) * step; v <= axis->high;
 	     v += step) {
-		int row = strip_row_of_value(axis, area, v);
+		int row = response_strip_row_of_value(axis, area, v);
 		if (!taken[row])
-			taken[row] = draw_strip_label(t, row, LOOK_PLAIN,
+			taken[row] = draw_strip_axis_number(t, row, LOOK_PLAIN,
 			    fabs(v) < step / 2 ? 0 : v, step);
 	}
 }
@@ -449,27 +453,28 @@ response_strip_draw_marks(
 {
 	struct track_signs signs = track_signs();
 	struct slider_range range = tui_slider_range(t);
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	int position = tui_slider_position(t);
 	double share =
 	    (double)(position - range.least) / (range.most - range.least);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		double value = measured_value_of_run(t, r);
+		double value = measured_quantity_of_run(t, r);
 		if (isnan(value))
 			continue;
-		screen_draw_series_text(area,
-		    strip_row_of_value(axis, area, value),
+		screen_draw_text_in_series_colour(area,
+		    response_strip_row_of_value(axis, area, value),
 		    slider_column_of_position(range,
-			slider_position(range, entry->site->run[r].speed),
+			slider_position_of_speed(
+			    range, entry->site->run[r].speed),
 			area->columns),
 		    SERIES_TEXT, LOOK_BOLD,
-		    track_is_run_trained(entry, r) ? signs.trained
-						   : signs.held_out);
+		    track_is_training_run(entry, r) ? signs.trained
+						    : signs.held_out);
 	}
 	double value = response_strip_value_at_share(&t->view.strip, share);
 	if (isfinite(value))
-		screen_draw_series_text(area,
-		    strip_row_of_value(axis, area, value),
+		screen_draw_text_in_series_colour(area,
+		    response_strip_row_of_value(axis, area, value),
 		    slider_column_of_position(range, position, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
 		    screen_charset() == CHARSET_ASCII ? "@" : "\u25CE");
@@ -483,32 +488,32 @@ draw_why_no_curve(const struct tui *t)
 	const char *why = "";
 	if (session_is_calibrating(t->session))
 		why = tr("known when the calibration ends");
-	else if (!has_response_curve(t))
+	else if (!can_compute_response_curve(t))
 		why = tr("known after a calibration");
-	else if (is_strip_current(t))
+	else if (is_strip_up_to_date(t))
 		why = tr("the feed's sieves cannot show it: y chooses another");
-	screen_text(area, area->rows / 2, 4, LOOK_DIM, "%s", why);
+	screen_draw_text(area, area->rows / 2, 4, LOOK_DIM, "%s", why);
 }
 
 /* Draws the probability of the goal at each speed: in eighths of a cell or,
  * without such characters, as a digit, 9 for 90 % or more. */
 static void
-draw_goal_certainty(struct tui *t, const struct area *track)
+draw_goal_chances_by_speed(struct tui *t, const struct area *track)
 {
 	static const char *const EIGHTH[] = {"\u2581", "\u2582", "\u2583",
 	    "\u2584", "\u2585", "\u2586", "\u2587", "\u2588"};
 	struct area area = t->layout.certainty;
 	const struct slider_range range = tui_slider_range(t);
 	const struct goal *g = &t->view.goal;
-	if (area.rows == 0 || !goal_is_known(t) || g->n_value > 0 ||
+	if (area.rows == 0 || !goal_is_search_done(t) || g->n_value > 0 ||
 	    isnan(g->found->best_certain))
 		return;
-	hits_add(&t->hits, HIT_SLIDE, area, track_on_mouse, 0);
-	screen_text(&area, 0, 0, LOOK_DIM, "sure");
+	hits_add_mouse_handler(&t->hits, HIT_SLIDE, area, track_on_mouse, 0);
+	screen_draw_text(&area, 0, 0, LOOK_DIM, "sure");
 	area.column = track->column;
 	area.columns = track->columns;
 	for (int c = 0; c < area.columns; c++) {
-		double speed = slider_speed(
+		double speed = slider_speed_of_position(
 		    range, slider_position_at_column(range, c, area.columns));
 		double certain = goal_probability_at(t, speed);
 		bool blocks = screen_charset() == CHARSET_BRAILLE;
@@ -516,13 +521,13 @@ draw_goal_certainty(struct tui *t, const struct area *track)
 			continue;
 		int parts = blocks ? 8 : 10, part = (int)(certain * parts);
 		char digit[2] = {(char)('0' + (part < 10 ? part : 9))};
-		screen_draw_series_text(&area, 0, c, SERIES_OTHER, LOOK_PLAIN,
-		    blocks ? EIGHTH[part < 8 ? part : 7] : digit);
+		screen_draw_text_in_series_colour(&area, 0, c, SERIES_OTHER,
+		    LOOK_PLAIN, blocks ? EIGHTH[part < 8 ? part : 7] : digit);
 	}
 }
 
 void
-strip_draw(struct tui *t)
+response_strip_draw(struct tui *t)
 {
 	struct area area = t->layout.strip,
 		    track = layout_track_area(&t->layout);
@@ -533,21 +538,22 @@ strip_draw(struct tui *t)
 		return;
 	area.column = track.column;
 	area.columns = track.columns;
-	hits_add(&t->hits, HIT_SLIDE, t->layout.strip, track_on_mouse, 0);
-	if (!has_response_curve(t) || !is_strip_current(t) ||
-	    !scale_strip_axis(t, &y)) {
+	hits_add_mouse_handler(
+	    &t->hits, HIT_SLIDE, t->layout.strip, track_on_mouse, 0);
+	if (!can_compute_response_curve(t) || !is_strip_up_to_date(t) ||
+	    !scale_response_strip_axis(t, &y)) {
 		draw_why_no_curve(t);
 		return;
 	}
-	draw_goal_certainty(t, &track);
-	int dots = area.rows * canvas_cell_dots_down(screen_charset());
-	align_axis_with_cells(&x, area.columns);
-	align_axis_with_cells(&y, dots);
+	draw_goal_chances_by_speed(t, &track);
+	int dots = area.rows * canvas_dot_rows_per_cell(screen_charset());
+	widen_axis_by_half_cell(&x, area.columns);
+	widen_axis_by_half_cell(&y, dots);
 	x.title = xstrdup("");
 	y.title = xstrdup("");
 	struct chart *chart = chart_new("", "", x, y);
-	add_strip_band(t, chart, dots);
-	response_strip_add_limits(t, chart);
+	add_response_strip_band(t, chart, dots);
+	response_strip_add_goal_limits(t, chart);
 	response_strip_add_curve(t, chart);
 	struct canvas *canvas = chart_draw(
 	    chart, area.columns, area.rows, screen_charset(), CHART_BARE);

@@ -29,7 +29,7 @@ static const struct psd *
 find_compared_product(
     const struct tui *t, char name[static 40], enum series *series)
 {
-	const struct site *site = tui_current_entry(t)->site;
+	const struct site *site = tui_current_site_entry(t)->site;
 	const struct run *nearest = NULL;
 	if (t->view.pinned.site[0] != '\0') {
 		snprintf(name, 40, tr("vs pin"));
@@ -50,18 +50,19 @@ find_compared_product(
 	FREED char *speed = answers_speed_text(site, nearest->speed, -1);
 	if (fabs(nearest->speed - t->view.current.speed) < 0.05)
 		snprintf(name, 40, tr("vs %g measured"),
-		    answers_speed_number(site, nearest->speed));
+		    answers_speed_in_sheet_unit(site, nearest->speed));
 	else
 		snprintf(name, 40, tr("vs %s"), speed);
 	size_t run = (size_t)(nearest - site->run);
 	*series = site_chart_run_style(site, run, false).series;
-	return tui_measured_product(t, run);
+	return tui_product_adjusted_to_feed(t, run);
 }
 
 /* Returns by how many points the product lies above another at sieve i; NAN if
  * the other does not cover it. */
 static double
-difference_in_points(const struct tui *t, const struct psd *other, size_t i)
+passing_difference_at_sieve(
+    const struct tui *t, const struct psd *other, size_t i)
 {
 	double x = t->view.shown.product.size[i];
 	if (other == NULL || !psd_covers_size(other, x))
@@ -76,13 +77,14 @@ difference_in_points(const struct tui *t, const struct psd *other, size_t i)
  * scale of the strip of differences does, so that one step of the slider does
  * not redraw both. */
 static double
-points_of_full_bar(const struct tui *t, const struct psd *other)
+percent_points_of_full_bar(const struct tui *t, const struct psd *other)
 {
 	static const double FULL[] = {1.5, 3, 7, 15, 30, 70, 100};
 	double most = 0;
 	size_t at = 0;
 	for (size_t i = 0; i < t->view.shown.product.n; i++)
-		most = fmax(most, fabs(difference_in_points(t, other, i)));
+		most =
+		    fmax(most, fabs(passing_difference_at_sieve(t, other, i)));
 	while (at + 1 < ARRAY_LEN(FULL) && FULL[at] < most)
 		at++;
 	return FULL[at];
@@ -103,9 +105,9 @@ sieve_table_draw_bar(
 	    cells = area->columns - BAR,
 	    n = (int)lround(fmin(fabs(share), 1) * cells * parts);
 	for (int c = 0; c < n / parts; c++)
-		screen_draw_series_text(area, row, BAR + c, series, 0,
+		screen_draw_text_in_series_colour(area, row, BAR + c, series, 0,
 		    charset == CHARSET_ASCII ? "#" : "\u2588");
-	screen_draw_series_text(area, row, BAR + n / parts, series, 0,
+	screen_draw_text_in_series_colour(area, row, BAR + n / parts, series, 0,
 	    EIGHTH[n % parts * 8 / parts]);
 }
 
@@ -126,14 +128,14 @@ draw_sieve_row(
 			    : LOOK_PLAIN;
 	char sieve[24];
 	/* A longer name takes a space from the next number. */
-	int n =
-	    snprintf(sieve, sizeof sieve, "%5g", units_mm(p->product.size[i]));
-	screen_text(area, row, 0, look, "%s%*.1f%6.1f", sieve, 11 - n,
+	int n = snprintf(
+	    sieve, sizeof sieve, "%5g", units_m_to_mm(p->product.size[i]));
+	screen_draw_text(area, row, 0, look, "%s%*.1f%6.1f", sieve, 11 - n,
 	    100 * p->feed.passing[i], 100 * p->product.passing[i]);
 	if (!isnan(off))
-		screen_text(area, row, COMPARED, look,
+		screen_draw_text(area, row, COMPARED, look,
 		    off != 0 ? "%+5.1f" : "%5.1f", off);
-	hits_add(
+	hits_add_mouse_handler(
 	    &t->hits, HIT_PRESS, area_of_row(area, row), on_click_sieve, i);
 }
 
@@ -141,7 +143,7 @@ draw_sieve_row(
  * spread from the coarsest sieve that retains feed to the finest, so that they
  * do not change with the speed. */
 static size_t
-sieve_of_row(const struct tui *t, size_t r, size_t rows)
+sieve_shown_in_row(const struct tui *t, size_t r, size_t rows)
 {
 	const double all = 0.9995;
 	const struct psd *feed = &t->view.shown.feed;
@@ -170,8 +172,9 @@ row_for_sieve_of_quantity(const struct tui *t, size_t rows, size_t *sieve)
 	    rows >= product->n)
 		return SIZE_MAX;
 	for (size_t r = 1; r < rows; r++)
-		if (labs((long)sieve_of_row(t, r, rows) - (long)*sieve) <
-		    labs((long)sieve_of_row(t, best, rows) - (long)*sieve))
+		if (labs((long)sieve_shown_in_row(t, r, rows) - (long)*sieve) <
+		    labs(
+			(long)sieve_shown_in_row(t, best, rows) - (long)*sieve))
 			best = r;
 	return best;
 }
@@ -203,8 +206,8 @@ sieve_table_draw_heading(
 	const char *feed = tr("sieve  feed");
 	int gap = column - 1 - text_width_in_columns(now) -
 		  text_width_in_columns(feed);
-	screen_text(area, 0, 0, LOOK_DIM, "%s%*s%s", feed, gap, "", now);
-	screen_draw_series_text(area, 0, column, series, 0, vs);
+	screen_draw_text(area, 0, 0, LOOK_DIM, "%s%*s%s", feed, gap, "", now);
+	screen_draw_text_in_series_colour(area, 0, column, series, 0, vs);
 }
 
 void
@@ -214,12 +217,12 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	char name[40] = "";
 	enum series series = SERIES_TEXT;
 	const struct psd *other = find_compared_product(t, name, &series);
-	double full = points_of_full_bar(t, other);
+	double full = percent_points_of_full_bar(t, other);
 	sieve_table_draw_heading(area, series, name);
 	size_t wanted, at = row_for_sieve_of_quantity(t, rows, &wanted);
 	for (size_t r = 0; r < rows && r < n; r++) {
-		size_t i = r == at ? wanted : sieve_of_row(t, r, rows);
-		double off = difference_in_points(t, other, i);
+		size_t i = r == at ? wanted : sieve_shown_in_row(t, r, rows);
+		double off = passing_difference_at_sieve(t, other, i);
 		draw_sieve_row(t, area, (int)r + 1, i, off);
 		if (area->columns >= BAR + BAR_CELLS && !isnan(off))
 			sieve_table_draw_bar(

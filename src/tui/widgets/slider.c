@@ -21,7 +21,7 @@ slider_range(double from, double to, double rotor)
 }
 
 int
-slider_clamp(struct slider_range range, int position)
+slider_clamped_position(struct slider_range range, int position)
 {
 	return position < range.least  ? range.least
 	       : position > range.most ? range.most
@@ -29,15 +29,15 @@ slider_clamp(struct slider_range range, int position)
 }
 
 int
-slider_position(struct slider_range range, double speed)
+slider_position_of_speed(struct slider_range range, double speed)
 {
-	return slider_clamp(range,
+	return slider_clamped_position(range,
 	    (int)lround(range.rotor > 0 ? rotor_speed_to_rpm(speed, range.rotor)
 					: 10 * speed));
 }
 
 double
-slider_speed(struct slider_range range, double position)
+slider_speed_of_position(struct slider_range range, double position)
 {
 	return range.rotor > 0 ? rotor_speed_from_rpm(position, range.rotor)
 			       : position / 10;
@@ -46,15 +46,16 @@ slider_speed(struct slider_range range, double position)
 bool
 slider_has_speed(struct slider_range range, double speed)
 {
-	return speed >= slider_speed(range, range.least) &&
-	       speed <= slider_speed(range, range.most);
+	return speed >= slider_speed_of_position(range, range.least) &&
+	       speed <= slider_speed_of_position(range, range.most);
 }
 
 int
 slider_column_of_position(struct slider_range range, int position, int width)
 {
-	double share = (double)(slider_clamp(range, position) - range.least) /
-		       (range.most - range.least);
+	double share =
+	    (double)(slider_clamped_position(range, position) - range.least) /
+	    (range.most - range.least);
 	return width > 1 ? (int)lround(share * (width - 1)) : 0;
 }
 
@@ -64,12 +65,12 @@ slider_position_at_column(struct slider_range range, int column, int width)
 	if (width < 2)
 		return range.least;
 	double share = (double)column / (width - 1);
-	return slider_clamp(range,
+	return slider_clamped_position(range,
 	    range.least + (int)lround(share * (range.most - range.least)));
 }
 
 static bool
-is_outside_training(int position, const struct slider_mark *mark, size_t n)
+is_beyond_trained_speeds(int position, const struct slider_mark *mark, size_t n)
 {
 	bool below = false, above = false;
 	for (size_t i = 0; i < n; i++) {
@@ -82,7 +83,8 @@ is_outside_training(int position, const struct slider_mark *mark, size_t n)
 }
 
 static bool
-are_cells_free(const struct slider_cell *cell, int width, int from, int wanted)
+are_slider_cells_free(
+    const struct slider_cell *cell, int width, int from, int wanted)
 {
 	for (int c = from; c < from + wanted; c++)
 		if (c < 0 || c >= width || cell[c].taken)
@@ -91,7 +93,7 @@ are_cells_free(const struct slider_cell *cell, int width, int from, int wanted)
 }
 
 static void
-write_text_in_cells(struct slider_cell *cell, const char *text)
+write_text_in_slider_cells(struct slider_cell *cell, const char *text)
 {
 	for (; *text != '\0'; text++)
 		*cell++ = (struct slider_cell){*text, true, true};
@@ -100,10 +102,10 @@ write_text_in_cells(struct slider_cell *cell, const char *text)
 /* Writes the label of a mark, "69" or, with words, "69 m/s 2381 J/kg".  Returns
  * its length. */
 static int
-mark_label_text(struct slider_range range, const struct slider_mark *mark,
-    bool words, char label[static 32])
+slider_mark_label_text(struct slider_range range,
+    const struct slider_mark *mark, bool words, char label[static 32])
 {
-	double v = slider_speed(range, mark->position);
+	double v = slider_speed_of_position(range, mark->position);
 	if (range.rotor > 0)
 		return words ? snprintf(label, 32, tr("%d rpm %.0f J/kg"),
 				   mark->position, specific_energy_at_speed(v))
@@ -125,8 +127,9 @@ has_room_for_long_labels(const struct slider_cell *cell, int width,
 		int from =
 		    slider_column_of_position(range, mark[i].position, width) +
 		    1;
-		int length = mark_label_text(range, &mark[i], true, label);
-		if (!are_cells_free(cell, width, from, length + BETWEEN))
+		int length =
+		    slider_mark_label_text(range, &mark[i], true, label);
+		if (!are_slider_cells_free(cell, width, from, length + BETWEEN))
 			return false;
 	}
 	return true;
@@ -135,25 +138,28 @@ has_room_for_long_labels(const struct slider_cell *cell, int width,
 /* Writes the speed after a mark, if there is room.  handle: the cell after the
  * handle of the slider. */
 static void
-write_mark_label(struct slider_cell *cell, int width, struct slider_range range,
-    const struct slider_mark *mark, bool words, int handle)
+write_slider_mark_label(struct slider_cell *cell, int width,
+    struct slider_range range, const struct slider_mark *mark, bool words,
+    int handle)
 {
 	char label[32];
 	int from = slider_column_of_position(range, mark->position, width) + 1;
-	int wanted = mark_label_text(range, mark, words, label);
-	if (words && !are_cells_free(cell, width, from, wanted + 1))
-		wanted = mark_label_text(range, mark, false, label);
-	if (from == handle || !are_cells_free(cell, width, from, wanted + 1))
+	int wanted = slider_mark_label_text(range, mark, words, label);
+	if (words && !are_slider_cells_free(cell, width, from, wanted + 1))
+		wanted = slider_mark_label_text(range, mark, false, label);
+	if (from == handle ||
+	    !are_slider_cells_free(cell, width, from, wanted + 1))
 		return;
-	write_text_in_cells(cell + from, label);
+	write_text_in_slider_cells(cell + from, label);
 	/* A space, because dashes right after a label would be hard to read. */
 	if (cell[from + wanted].sign == 'x')
-		write_text_in_cells(cell + from + wanted, " ");
+		write_text_in_slider_cells(cell + from + wanted, " ");
 }
 
 /* Writes a word in the middle of each part beyond the training speeds. */
 static void
-write_beyond_training(struct slider_cell *cell, int width, const char *word)
+write_word_beyond_training(
+    struct slider_cell *cell, int width, const char *word)
 {
 	int n = (int)strlen(word);
 	for (int from = 0, to; from < width; from = to + 1) {
@@ -161,11 +167,11 @@ write_beyond_training(struct slider_cell *cell, int width, const char *word)
 			;
 		int at = from + (to - from - n) / 2;
 		if (n == 0 || to - from < n + 4 ||
-		    !are_cells_free(cell, width, at - 1, n + 2))
+		    !are_slider_cells_free(cell, width, at - 1, n + 2))
 			continue;
-		write_text_in_cells(cell + at - 1, " ");
-		write_text_in_cells(cell + at, word);
-		write_text_in_cells(cell + at + n, " ");
+		write_text_in_slider_cells(cell + at - 1, " ");
+		write_text_in_slider_cells(cell + at, word);
+		write_text_in_slider_cells(cell + at + n, " ");
 	}
 }
 
@@ -177,7 +183,7 @@ slider_fill_cells(struct slider_cell *cell, int width,
 	char label[16];
 	bool any = false;
 	for (int c = 0; c < width; c++) {
-		bool outside = is_outside_training(
+		bool outside = is_beyond_trained_speeds(
 		    slider_position_at_column(range, c, width), mark, n);
 		cell[c] = (struct slider_cell){
 		    outside ? 'x' : '-', kept != NULL && kept[c], false};
@@ -192,7 +198,7 @@ slider_fill_cells(struct slider_cell *cell, int width,
 	int length = range.rotor > 0
 			 ? snprintf(label, sizeof label, "[%d]", position)
 			 : snprintf(label, sizeof label, "[%.1f]",
-			       slider_speed(range, position));
+			       slider_speed_of_position(range, position));
 	if (length > width)
 		length = snprintf(label, sizeof label, "#");
 	int at = slider_column_of_position(range, position, width) - length / 2;
@@ -202,9 +208,9 @@ slider_fill_cells(struct slider_cell *cell, int width,
 	for (int c = at; c < at + length; c++)
 		cell[c].taken = true;
 	for (size_t i = 0; i < n; i++)
-		write_mark_label(
+		write_slider_mark_label(
 		    cell, width, range, &mark[i], words, at + length);
-	write_beyond_training(cell, width, beyond);
-	write_text_in_cells(cell + at, label);
+	write_word_beyond_training(cell, width, beyond);
+	write_text_in_slider_cells(cell + at, label);
 	return at;
 }

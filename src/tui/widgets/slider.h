@@ -23,13 +23,13 @@ struct slider_mark {
 struct slider_range slider_range(double from, double to, double rotor);
 
 /* Returns the nearest position in the range. */
-int slider_clamp(struct slider_range range, int position);
+int slider_clamped_position(struct slider_range range, int position);
 
-/* slider_position returns the position nearest to a speed, m/s, within the
- * range; slider_speed returns the speed at a position; slider_has_speed returns
- * true if the speed is in the range. */
-int slider_position(struct slider_range range, double speed);
-double slider_speed(struct slider_range range, double position);
+/* slider_position_of_speed returns the position nearest to a speed, m/s, within
+ * the range; slider_speed_of_position returns the speed at a position;
+ * slider_has_speed returns true if the speed is in the range. */
+int slider_position_of_speed(struct slider_range range, double speed);
+double slider_speed_of_position(struct slider_range range, double position);
 bool slider_has_speed(struct slider_range range, double speed);
 
 /* slider_column_of_position returns the column of a position on a track of

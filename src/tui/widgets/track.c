@@ -31,7 +31,7 @@ track_signs(void)
 }
 
 bool
-track_is_run_trained(const struct entry *entry, size_t run)
+track_is_training_run(const struct entry *entry, size_t run)
 {
 	const struct origin *o = entry->origin;
 	if (!origin_has_training_speeds(entry))
@@ -45,7 +45,7 @@ track_is_run_trained(const struct entry *entry, size_t run)
 /* Lists the measured speeds, and the speeds at which the parameters were
  * trained, even on another site.  Returns their number. */
 static size_t
-list_speed_marks(const struct entry *entry, struct slider_range range,
+list_slider_speed_marks(const struct entry *entry, struct slider_range range,
     struct slider_mark mark[static MOST_MARKS])
 {
 	const struct origin *o = entry->origin;
@@ -53,13 +53,13 @@ list_speed_marks(const struct entry *entry, struct slider_range range,
 	size_t n = 0;
 	for (size_t i = 0; trained && i < o->n_speed && n < MOST_MARKS; i++)
 		mark[n++] = (struct slider_mark){
-		    slider_position(range, o->speed[i]), true};
+		    slider_position_of_speed(range, o->speed[i]), true};
 	for (size_t r = 0; r < entry->site->n_run && n < MOST_MARKS; r++) {
 		const struct run *run = &entry->site->run[r];
-		bool known = track_is_run_trained(entry, r);
+		bool known = track_is_training_run(entry, r);
 		if (run->product.n > 0 && (!trained || !known))
 			mark[n++] = (struct slider_mark){
-			    slider_position(range, run->speed), known};
+			    slider_position_of_speed(range, run->speed), known};
 	}
 	return n;
 }
@@ -69,8 +69,9 @@ track_on_mouse(struct tui *t, const struct mouse_event *touched)
 {
 	struct area track = layout_track_area(&t->layout);
 	int column = touched->area.column + touched->column - track.column;
-	tui_step_slider_to(t, slider_position_at_column(
-				  tui_slider_range(t), column, track.columns));
+	tui_set_slider_position(
+	    t, slider_position_at_column(
+		   tui_slider_range(t), column, track.columns));
 }
 
 /* Returns true if the goal is met somewhere in a cell of the track.  Sets
@@ -83,14 +84,15 @@ is_goal_met_in_cell(
 	double cells = fmax(1, track->columns - 1),
 	       half = (range.most - range.least) / 2.0 / cells;
 	double middle = range.least + 2 * half * column;
-	return goal_is_met_between(t, slider_speed(range, middle - half),
-	    slider_speed(range, middle + half), certain);
+	return goal_is_met_between(t,
+	    slider_speed_of_position(range, middle - half),
+	    slider_speed_of_position(range, middle + half), certain);
 }
 
 /* Returns an array that marks the cells in which a window, or its certain part,
  * begins or ends.  The caller frees it. */
 static bool *
-mark_window_ends(const struct tui *t, const struct area *track)
+find_window_end_cells(const struct tui *t, const struct area *track)
 {
 	size_t n = (size_t)track->columns;
 	bool *end = xcalloc(n + 1, sizeof *end);
@@ -129,7 +131,7 @@ track_draw_cell(const struct tui *t, const struct area *track, int column,
 			   : sign == 'x'           ? signs.beyond
 			   : sign == '-' && !ascii ? "\u2500"
 						   : letter;
-	screen_draw_series_text(track, 0, column,
+	screen_draw_text_in_series_colour(track, 0, column,
 	    met ? SERIES_OTHER : SERIES_TEXT,
 	    met && certain ? LOOK_BOLD
 	    : sign == 'x'  ? LOOK_DIM
@@ -138,13 +140,13 @@ track_draw_cell(const struct tui *t, const struct area *track, int column,
 }
 
 static int
-make_track_cells(const struct tui *t, const struct area *track,
+make_slider_track_cells(const struct tui *t, const struct area *track,
     struct slider_cell *cell, const bool *kept)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	struct slider_range range = tui_slider_range(t);
 	struct slider_mark mark[MOST_MARKS];
-	size_t n = list_speed_marks(entry, range, mark);
+	size_t n = list_slider_speed_marks(entry, range, mark);
 	return slider_fill_cells(cell, track->columns, range,
 	    tui_slider_position(t), mark, n, kept, tr("extrapolated"));
 }
@@ -152,14 +154,15 @@ make_track_cells(const struct tui *t, const struct area *track,
 void
 track_draw(struct tui *t)
 {
-	hits_add(&t->hits, HIT_SLIDE, t->layout.track, track_on_mouse, 0);
+	hits_add_mouse_handler(
+	    &t->hits, HIT_SLIDE, t->layout.track, track_on_mouse, 0);
 	struct area track = layout_track_area(&t->layout);
 	const bool acts = t->ui.page == PAGE_PREDICT;
 	struct slider_range range = tui_slider_range(t);
 	FREED struct slider_cell *cell =
 	    xcalloc((size_t)track.columns + 1, sizeof *cell);
-	FREED bool *kept = mark_window_ends(t, &track);
-	int at = make_track_cells(t, &track, cell, kept), end = at + 1;
+	FREED bool *kept = find_window_end_cells(t, &track);
+	int at = make_slider_track_cells(t, &track, cell, kept), end = at + 1;
 	while (end < track.columns && cell[end - 1].sign != ']' &&
 	       cell[at].sign == '[')
 		end++;
@@ -167,15 +170,15 @@ track_draw(struct tui *t)
 		if (c < at || c >= end)
 			track_draw_cell(t, &track, c, &cell[c]);
 	for (int c = at; c < end; c++)
-		screen_text(&track, 0, c, acts ? LOOK_REVERSE : LOOK_BOLD, "%c",
-		    cell[c].sign);
+		screen_draw_text(&track, 0, c, acts ? LOOK_REVERSE : LOOK_BOLD,
+		    "%c", cell[c].sign);
 	if (track.column > 0) {
 		const int per_unit = range.rotor > 0 ? 1 : 10,
 			  digits = t->layout.end_columns - 1;
 		const struct area *row = &t->layout.track;
-		screen_text(
+		screen_draw_text(
 		    row, 0, 0, 0, "%*d", digits, range.least / per_unit);
-		screen_text(row, 0, row->columns - digits, 0, "%d",
+		screen_draw_text(row, 0, row->columns - digits, 0, "%d",
 		    range.most / per_unit);
 	}
 	/* On the bracket, because a cursor on the number would hide a digit. */
@@ -194,32 +197,32 @@ struct part {
 };
 
 static void
-add_heading_text(struct part *part, char *text)
+add_shorter_heading_text(struct part *part, char *text)
 {
 	part->text[part->n++] = text;
 }
 
 static void
-add_heading_texts_of_quantity(const struct tui *t, struct part *part)
+add_quantity_heading_variants(const struct tui *t, struct part *part)
 {
 	const char *unit = quantities_unit(&t->ui.quantity);
 	FREED char *words = quantities_name(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
 	if (t->layout.strip.rows > 0 && !goals_is_set(t->session))
-		add_heading_text(
+		add_shorter_heading_text(
 		    part, xasprintf(tr("%s at all speeds"), words));
 	if (t->layout.strip.rows > 0)
-		add_heading_text(part, xstrdup(words));
-	add_heading_text(part, xstrdup(""));
+		add_shorter_heading_text(part, xstrdup(words));
+	add_shorter_heading_text(part, xstrdup(""));
 }
 
 static void
-add_heading_texts_of_goal(const struct tui *t, struct part *part)
+add_goal_heading_variants(const struct tui *t, struct part *part)
 {
 	for (int length = 0; length < GOALS_LENGTHS; length++)
-		add_heading_text(
-		    part, goal_in_words(t, (enum goals_length)length));
-	add_heading_text(part, xstrdup(""));
+		add_shorter_heading_text(
+		    part, goal_result_text(t, (enum goals_length)length));
+	add_shorter_heading_text(part, xstrdup(""));
 	part->look = LOOK_BOLD;
 }
 
@@ -238,34 +241,34 @@ goal_chance_text(const struct tui *t)
 /* Adds the rotor tip speed, with the energy and the rotor's rpm; in brief only
  * in the unit of the sheet.  With a goal, adds its chance. */
 static void
-add_heading_texts_of_speed(const struct tui *t, struct part *part)
+add_speed_heading_variants(const struct tui *t, struct part *part)
 {
 	double v = tui_slider_speed(t);
-	double rotor = tui_known_rotor(t);
+	double rotor = tui_rotor_diameter(t);
 	FREED char *words = xasprintf(
 	    tr("%.1f m/s  %.0f J/kg"), v, specific_energy_at_speed(v));
 	FREED char *turns = rotor > 0 ? xasprintf(tr("  %.0f rpm"),
 					    rotor_speed_to_rpm(v, rotor))
 				      : xstrdup("");
-	FREED char *brief = answers_speed_text(tui_site(t), v, 1);
+	FREED char *brief = answers_speed_text(tui_current_site(t), v, 1);
 	FREED char *sure = goal_chance_text(t);
-	add_heading_text(
+	add_shorter_heading_text(
 	    part, xasprintf(tr("rotor tip speed %s%s%s"), words, turns, sure));
-	add_heading_text(part, xasprintf("%s%s%s", words, turns, sure));
+	add_shorter_heading_text(part, xasprintf("%s%s%s", words, turns, sure));
 	if (rotor > 0 || sure[0] != '\0')
-		add_heading_text(
+		add_shorter_heading_text(
 		    part, xasprintf(tr("%.1f m/s%s%s"), v, turns, sure));
 	else
-		add_heading_text(part, xstrdup(words));
-	add_heading_text(part, xasprintf("%s%s", brief, sure));
-	add_heading_text(part, xstrdup(brief));
-	add_heading_text(part, xstrndup(brief, strcspn(brief, " ")));
+		add_shorter_heading_text(part, xstrdup(words));
+	add_shorter_heading_text(part, xasprintf("%s%s", brief, sure));
+	add_shorter_heading_text(part, xstrdup(brief));
+	add_shorter_heading_text(part, xstrndup(brief, strcspn(brief, " ")));
 }
 
 /* Adds what the signs mean.  Beyond the measured speeds, the word
  * "extrapolated" is never left out. */
 static void
-add_heading_texts_of_signs(const struct tui *t, struct part *part)
+add_heading_legend_texts(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
 	enum { REASONS = 34 };
@@ -273,21 +276,21 @@ add_heading_texts_of_signs(const struct tui *t, struct part *part)
 	bool beyond = t->layout.side.columns < REASONS &&
 		      t->view.shown.product.n > 0 &&
 		      answers_is_speed_extrapolated(
-			  tui_current_entry(t), t->view.shown.speed);
+			  tui_current_site_entry(t), t->view.shown.speed);
 	FREED char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
 	FREED char *marks = xasprintf(
 	    tr("%s trained  %s held out"), signs.trained, signs.held_out);
-	add_heading_text(part, xasprintf("%s  %s", word, marks));
-	add_heading_text(part, xstrdup(beyond ? word : marks));
+	add_shorter_heading_text(part, xasprintf("%s  %s", word, marks));
+	add_shorter_heading_text(part, xstrdup(beyond ? word : marks));
 	if (!beyond)
-		add_heading_text(part, xstrdup(""));
+		add_shorter_heading_text(part, xstrdup(""));
 	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
 }
 
 /* Returns the width of a part, with the rule before it. */
 static int
-width_of_heading_part(const struct part *part)
+width_of_slider_heading_part(const struct part *part)
 {
 	int width = text_width_in_columns(part->text[part->at]);
 	return width > 0 ? width + 4 : 0;
@@ -296,32 +299,32 @@ width_of_heading_part(const struct part *part)
 /* Gives each part its shortest text, then lengthens the parts in turn while
  * there is room. */
 static void
-fit_heading_parts(struct part part[static PARTS], int columns)
+shorten_heading_parts_to_fit(struct part part[static PARTS], int columns)
 {
 	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, SPEED, GOAL, GOAL,
 	    GOAL, SPEED, GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
 	int width = 2;
 	for (size_t i = 0; i < PARTS; i++) {
 		part[i].at = part[i].n - 1;
-		width += width_of_heading_part(&part[i]);
+		width += width_of_slider_heading_part(&part[i]);
 	}
 	for (size_t k = 0; k < ARRAY_LEN(TURNS); k++) {
 		struct part *p = &part[TURNS[k]];
-		int was = width_of_heading_part(p);
+		int was = width_of_slider_heading_part(p);
 		if (p->at == 0)
 			continue;
 		p->at--;
-		if (width - was + width_of_heading_part(p) > columns)
+		if (width - was + width_of_slider_heading_part(p) > columns)
 			p->at++;
-		width += width_of_heading_part(p) - was;
+		width += width_of_slider_heading_part(p) - was;
 	}
 	int left = 0, right = columns - 2;
 	for (size_t i = 0; i < SPEED; i++) {
 		part[i].column = left + 2;
-		left += width_of_heading_part(&part[i]);
+		left += width_of_slider_heading_part(&part[i]);
 	}
 	for (size_t i = PARTS; i-- > SPEED;) {
-		right -= width_of_heading_part(&part[i]);
+		right -= width_of_slider_heading_part(&part[i]);
 		part[i].column = right + 2;
 	}
 }
@@ -332,21 +335,21 @@ track_draw_heading(struct tui *t)
 	static const int KEY[PARTS] = {[QUANTITY] = 'y', [GOAL] = 't'};
 	const struct area *area = &t->layout.caption;
 	struct part part[PARTS] = {0};
-	add_heading_texts_of_quantity(t, &part[QUANTITY]);
-	add_heading_texts_of_goal(t, &part[GOAL]);
-	add_heading_texts_of_speed(t, &part[SPEED]);
-	add_heading_texts_of_signs(t, &part[SIGNS]);
-	fit_heading_parts(part, area->columns);
-	screen_draw_rule(area);
+	add_quantity_heading_variants(t, &part[QUANTITY]);
+	add_goal_heading_variants(t, &part[GOAL]);
+	add_speed_heading_variants(t, &part[SPEED]);
+	add_heading_legend_texts(t, &part[SIGNS]);
+	shorten_heading_parts_to_fit(part, area->columns);
+	screen_draw_horizontal_rule(area);
 	for (size_t i = 0; i < PARTS; i++) {
 		const char *text = part[i].text[part[i].at];
 		int column = part[i].column > 0 ? part[i].column : 0;
 		if (text[0] != '\0')
-			screen_text(
+			screen_draw_text(
 			    area, 0, column, part[i].look, " %s ", text);
 		if (KEY[i] != 0)
-			hits_add_key(&t->hits,
-			    area_part_of_row(
+			hits_add_key_area(&t->hits,
+			    area_of_columns_in_row(
 				area, 0, column, text_width_in_columns(text)),
 			    KEY[i]);
 		for (size_t k = 0; k < part[i].n; k++)
@@ -361,12 +364,12 @@ list_slider_stops(const struct tui *t, double speed[static MOST_MARKS])
 {
 	struct slider_mark mark[MOST_MARKS];
 	struct slider_range range = tui_slider_range(t);
-	size_t n = goal_limit_speeds(t, speed, MOST_MARKS);
-	if (n > 0 || tui_current_entry(t) == NULL)
+	size_t n = goal_list_limit_speeds(t, speed, MOST_MARKS);
+	if (n > 0 || tui_current_site_entry(t) == NULL)
 		return n;
-	n = list_speed_marks(tui_current_entry(t), range, mark);
+	n = list_slider_speed_marks(tui_current_site_entry(t), range, mark);
 	for (size_t i = 0; i < n; i++)
-		speed[i] = slider_speed(range, mark[i].position);
+		speed[i] = slider_speed_of_position(range, mark[i].position);
 	return n;
 }
 
@@ -380,17 +383,17 @@ move_slider_to_next_stop(struct tui *t, int by)
 	double speed = NAN;
 	size_t n = list_slider_stops(t, stop);
 	for (size_t i = 0; i < n; i++) {
-		int at = slider_position(range, stop[i]);
+		int at = slider_position_of_speed(range, stop[i]);
 		if (by * (at - from) > 0 &&
 		    (best == from || by * (best - at) > 0)) {
 			best = at;
 			speed = stop[i];
 		}
 	}
-	if (tui_current_entry(t) == NULL)
-		tui_say(t, true, TUI_NO_SITE);
+	if (tui_current_site_entry(t) == NULL)
+		tui_set_message(t, true, TUI_NO_SITE);
 	else if (best == from)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    goals_is_set(t->session)
 			? (by > 0 ? N_("no faster limit: p goes to a slower "
 				       "one, N to the best speed")
@@ -400,21 +403,21 @@ move_slider_to_next_stop(struct tui *t, int by)
 			     : N_("no slower run: t sets a goal"));
 	else if (range.rotor > 0)
 		/* Not to the nearest rpm, where the goal may be missed. */
-		tui_move_slider_to(t, speed);
+		tui_set_slider_speed(t, speed);
 	else
-		tui_step_slider_to(t, best);
+		tui_set_slider_position(t, best);
 }
 
 /* Says that none of the speeds searched meets the goal, and which is
  * nearest. */
 static void
-say_nearest_goal_speed(struct tui *t, double best, const char *rpm)
+report_nearest_goal_speed(struct tui *t, double best, const char *rpm)
 {
 	const struct speed_search *found = t->view.goal.found;
 	FREED char *range =
-	    answers_speed_range_words(tui_current_entry(t)->site,
+	    answers_speed_range_words(tui_current_site_entry(t)->site,
 		found->speed[0], found->speed[found->n - 1], false);
-	tui_say(t, false,
+	tui_set_message(t, false,
 	    "no speed from %s meets the goal, %.1f m/s%s is nearest: %s", range,
 	    best, rpm, t->view.goal.missed);
 }
@@ -422,36 +425,38 @@ say_nearest_goal_speed(struct tui *t, double best, const char *rpm)
 /* Moves the slider to the best speed of the goal, and says how well the goal is
  * met there. */
 static void
-move_slider_to_best(struct tui *t)
+move_slider_to_best_speed(struct tui *t)
 {
 	const struct goal *g = &t->view.goal;
 	double best = goal_best_speed(t);
 	if (!isfinite(best)) {
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    goals_is_set(t->session) ? N_("no best speed is known")
 					     : N_("no goal yet: t sets one"));
 		return;
 	}
 	const double from = tui_slider_speed(t);
-	tui_move_slider_to(t, best);
+	tui_set_slider_speed(t, best);
 	t->keep_message = true;
 	/* The next prediction shows its own command, and not the one before. */
 	if (tui_slider_speed(t) != from) {
 		free(t->command);
 		t->command = NULL;
 	}
-	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), best, NAN);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(tui_rotor_diameter(t), best, NAN);
 	if (g->missed != NULL)
-		say_nearest_goal_speed(t, best, rpm);
+		report_nearest_goal_speed(t, best, rpm);
 	else if (g->n_value > 0)
-		tui_say(t, false, "the goal is met at %.1f m/s%s", best, rpm);
+		tui_set_message(
+		    t, false, "the goal is met at %.1f m/s%s", best, rpm);
 	else if (isnan(g->found->best_certain))
-		tui_say(
+		tui_set_message(
 		    t, false, "best speed of the goal: %.1f m/s%s", best, rpm);
 	else {
 		FREED char *percent =
 		    conditions_probability_text(g->found->best_certain);
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "best speed of the goal: %.1f m/s%s (chance %s)", best, rpm,
 		    percent);
 	}
@@ -460,16 +465,17 @@ move_slider_to_best(struct tui *t)
 static bool
 is_goal_search_pending(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
-	return entry != NULL && entry->has_params && goal_is_pending(t);
+	const struct entry *entry = tui_current_site_entry(t);
+	return entry != NULL && entry->has_params && goal_is_search_needed(t);
 }
 
 void
-act_go_to_goal_speed(struct tui *t, const struct key *key)
+act_move_slider_to_goal_speed(struct tui *t, const struct key *key)
 {
 	if (is_goal_search_pending(t) &&
-	    session_entry_being_fitted(t->session) == tui_current_entry(t)) {
-		tui_say(t, false,
+	    session_entry_being_fitted(t->session) ==
+		tui_current_site_entry(t)) {
+		tui_set_message(t, false,
 		    "the goal's speeds are known when the calibration ends");
 		return;
 	}
@@ -477,7 +483,7 @@ act_go_to_goal_speed(struct tui *t, const struct key *key)
 	t->pending_from = t->ui.speed;
 	track_run_pending_key(t, t->aside);
 	if (t->pending_key != NULL)
-		tui_say(t, false,
+		tui_set_message(t, false,
 		    "working out the goal's speeds: the slider will then go "
 		    "there; Esc keeps it here");
 }
@@ -491,7 +497,7 @@ track_run_pending_key(struct tui *t, bool now)
 		return;
 	}
 	while (now && is_goal_search_pending(t))
-		goal_compute_step(t);
+		goal_run_search_step(t);
 	if (is_goal_search_pending(t))
 		return;
 	t->pending_key = NULL;
@@ -499,5 +505,5 @@ track_run_pending_key(struct tui *t, bool now)
 	if (key->amount != 0)
 		move_slider_to_next_stop(t, key->amount);
 	else
-		move_slider_to_best(t);
+		move_slider_to_best_speed(t);
 }

@@ -30,6 +30,6 @@ struct track_signs track_signs(void);
 
 /* True if a run's speed is one of those at which the parameters were
  * trained. */
-bool track_is_run_trained(const struct entry *entry, size_t run);
+bool track_is_training_run(const struct entry *entry, size_t run);
 
 #endif

@@ -32,7 +32,7 @@ viewer_split_into_lines(struct viewer *v)
 void
 viewer_close(struct tui *t)
 {
-	tui_clear_hits(t);
+	tui_clear_click_areas(t);
 	struct viewer *v = &t->viewer;
 	for (int i = 0; i < v->lines; i++)
 		free(v->line[i]);
@@ -61,7 +61,7 @@ act_show_last_text(struct tui *t, const struct key *key)
 	if (t->closed != NULL)
 		viewer_show_text(t, xstrdup(t->closed));
 	else
-		tui_say(t, false, "no text has been shown yet");
+		tui_set_message(t, false, "no text has been shown yet");
 }
 
 /* Lists the keys whose line contains the word. */
@@ -99,7 +99,8 @@ viewer_show_long_message(struct tui *t)
 	const struct layout l =
 	    layout_make(rows, columns, (struct layout_ask){0});
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
-	if (text_count_rows(t->message, columns) > layout_message_rows(&l) &&
+	if (text_count_rows(t->message, columns) >
+		layout_count_message_rows(&l) &&
 	    t->viewer.text == NULL)
 		viewer_show_text(t, text_wrapped(t->message, columns));
 }
@@ -107,12 +108,12 @@ viewer_show_long_message(struct tui *t)
 static bool
 has_line_searched_word(const struct viewer *v, int line)
 {
-	return text_contains_word(v->line[line], v->word.text);
+	return text_contains_folded(v->line[line], v->word.text);
 }
 
 /* Returns how many lines before line `before` contain the word. */
 static int
-count_matches_before(const struct viewer *v, int before)
+count_matching_lines_before(const struct viewer *v, int before)
 {
 	int n = 0;
 	for (int i = 0; i < before; i++)
@@ -142,7 +143,7 @@ count_text_rows(const struct tui *t)
 /* Keeps the position within the text, because the screen's size may have
  * changed. */
 static void
-scroll_to_fit(struct tui *t)
+clamp_scroll_position(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->layout.body.rows > 1 ? t->layout.body.rows : 1;
@@ -165,7 +166,7 @@ viewer_go_to_line(struct tui *t, int line)
 	v->at = line;
 	if (line >= 0 && (line < v->top || line >= v->top + rows))
 		v->top = line - rows / 2;
-	scroll_to_fit(t);
+	clamp_scroll_position(t);
 }
 
 /* Returns the first line that contains the word, beginning at a line and going
@@ -184,7 +185,7 @@ find_line_with_word(const struct viewer *v, int from, int by)
 /* Handles a key while the word after / is typed, or the / itself.  Returns
  * false for other keys. */
 static bool
-handle_search_key(struct tui *t, int code, bool special)
+handle_text_search_key(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
 	struct edit *word = &v->word;
@@ -198,7 +199,7 @@ handle_search_key(struct tui *t, int code, bool special)
 		word->active = false;
 		return true;
 	}
-	if (!edit_type_letter(word, code, special, VIEWER_WORD))
+	if (!edit_insert_or_erase_letter(word, code, special, VIEWER_WORD))
 		return false;
 	if (v->keys) {
 		show_list_of_keys(t);
@@ -218,17 +219,17 @@ viewer_scroll(struct tui *t, int by)
 	struct viewer *v = &t->viewer;
 	if (!v->keys) {
 		v->top += by;
-		scroll_to_fit(t);
+		clamp_scroll_position(t);
 		return;
 	}
 	int keys = (int)keys_count_listed(t->ui.page, v->word.text);
 	v->at = clamp_to_range(v->at + by, 0, keys - 1);
-	scroll_to_fit(t);
+	clamp_scroll_position(t);
 }
 
 /* Clears the word searched for.  Returns false if there was none. */
 static bool
-forget_searched_word(struct tui *t)
+clear_searched_word(struct tui *t)
 {
 	struct viewer *v = &t->viewer;
 	if (!v->word.active && v->word.n == 0)
@@ -268,7 +269,7 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
 				   : find_line_with_word(v, v->at + 1, 1));
 	else
 		return false;
-	scroll_to_fit(t);
+	clamp_scroll_position(t);
 	return true;
 }
 
@@ -276,9 +277,9 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
  * text, or to go through it as in other programs, must not do that.  A first
  * calibration replaces nothing, so it may. */
 static bool
-is_changing_key(const struct tui *t, const struct key *key)
+is_key_changing_results(const struct tui *t, const struct key *key)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct entry *entry = tui_current_site_entry(t);
 	bool first = entry != NULL && !entry->has_params &&
 		     !session_is_calibrating(t->session);
 	return key->where & CHANGES && !(key->act == act_calibrate && first);
@@ -286,7 +287,8 @@ is_changing_key(const struct tui *t, const struct key *key)
 
 /* Returns true if a key, which has closed the text, does nothing else. */
 static bool
-is_key_only_closing(struct tui *t, const struct key *key, int code, bool keys)
+does_key_only_close_viewer(
+    struct tui *t, const struct key *key, int code, bool keys)
 {
 	if (code == ESCAPE || code == '\n')
 		return true;
@@ -294,10 +296,11 @@ is_key_only_closing(struct tui *t, const struct key *key, int code, bool keys)
 		return false;
 	if (key->act == act_leave_screen || (keys && key->act == act_list_keys))
 		return true;
-	if (is_changing_key(t, key) && code != INTERRUPT)
-		tui_say(t, false, "%s again: %s", key->name,
-		    keys_shown_text(key->what, tui_slider_range(t).rotor > 0));
-	return is_changing_key(t, key);
+	if (is_key_changing_results(t, key) && code != INTERRUPT)
+		tui_set_message(t, false, "%s again: %s", key->name,
+		    keys_text_for_speed_unit(
+			key->what, tui_slider_range(t).rotor > 0));
+	return is_key_changing_results(t, key);
 }
 
 bool
@@ -306,13 +309,13 @@ viewer_handle_key(struct tui *t, int code, bool special, const struct key **run)
 	struct viewer *v = &t->viewer;
 	const struct key *key = keys_find_by_code(code, t->ui.page);
 	code = special ? 0 : code == '\r' ? '\n' : code;
-	if (handle_search_key(t, code, special) ||
+	if (handle_text_search_key(t, code, special) ||
 	    handle_scroll_key(t, key, code) ||
-	    (code == ESCAPE && forget_searched_word(t)))
+	    (code == ESCAPE && clear_searched_word(t)))
 		return true;
 	bool keys = v->keys;
 	if (keys && code == '\n') {
-		*run = keys_listed_at(t->ui.page, v->word.text, (size_t)v->at);
+		*run = keys_nth_listed(t->ui.page, v->word.text, (size_t)v->at);
 		if (*run != NULL)
 			viewer_close(t);
 		return true;
@@ -321,7 +324,7 @@ viewer_handle_key(struct tui *t, int code, bool special, const struct key **run)
 	 * report is closed. */
 	t->keep_message = t->keep_message || v->report;
 	viewer_close(t);
-	return is_key_only_closing(t, key, code, keys);
+	return does_key_only_close_viewer(t, key, code, keys);
 }
 
 /* Leaves one space between a key and what it does, for a narrow screen. */
@@ -337,7 +340,7 @@ squeeze_spaces(char *line)
 
 /* Chooses the key that was clicked; the Enter that follows runs it. */
 static void
-on_click_key(struct tui *t, const struct mouse_event *touched)
+on_click_choose_key(struct tui *t, const struct mouse_event *touched)
 {
 	t->viewer.at = (int)touched->item;
 }
@@ -384,21 +387,22 @@ viewer_draw_line(struct tui *t, int n)
 /* Draws the word searched for, and the number of lines that contain it.
  * Returns the cursor's column. */
 static int
-draw_searched_word(struct tui *t)
+draw_search_word_and_count(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
 	const struct area *hints = &t->layout.hints;
-	int number =
-	    v->keys || v->at < 0 ? 0 : count_matches_before(v, v->at + 1);
+	int number = v->keys || v->at < 0
+			 ? 0
+			 : count_matching_lines_before(v, v->at + 1);
 	const size_t keys =
 	    v->keys ? keys_count_listed(t->ui.page, v->word.text) : 0;
+	int lines = v->keys ? 0 : count_matching_lines_before(v, v->lines);
 	char *found = v->word.n == 0 ? NULL
 		      : v->keys      ? xasprintf(tr("%zu keys"), keys)
-				     : xasprintf(tr("%d lines"),
-					   count_matches_before(v, v->lines));
+				     : xasprintf(tr("%d lines"), lines);
 	if (number > 0 && found != NULL) {
-		FREED char *lines = found;
-		found = xasprintf(tr("line %d of %s"), number, lines);
+		FREED char *matches = found;
+		found = xasprintf(tr("line %d of %s"), number, matches);
 	}
 	int at = pane_draw_search_word(t, hints, v->word.text, found,
 	    keys > 0         ? tr("Enter run it  Esc clear")
@@ -415,15 +419,15 @@ draw_what_enter_does(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
 	const struct key *key =
-	    v->keys ? keys_listed_at(t->ui.page, v->word.text, (size_t)v->at)
+	    v->keys ? keys_nth_listed(t->ui.page, v->word.text, (size_t)v->at)
 		    : NULL;
 	if (key == NULL)
 		return false;
 	FREED char *words = xasprintf(tr("Enter: %s"),
-	    keys_shown_text(key->what, tui_slider_range(t).rotor > 0));
+	    keys_text_for_speed_unit(key->what, tui_slider_range(t).rotor > 0));
 	bool room = text_width_in_columns(words) <= t->layout.hints.columns;
 	if (room)
-		pane_hints(t, words);
+		pane_draw_key_hints(t, words);
 	return room;
 }
 
@@ -439,13 +443,14 @@ viewer_draw_hints(struct tui *t)
 		aside ? tr("Right more right  ") : "",
 		v->keys ? tr("Esc back  / find a word  Enter run it")
 			: tr("Esc back  / search"));
-	pane_hints(t, t->running_line != NULL ? tr("Esc stops") : hints);
+	pane_draw_key_hints(
+	    t, t->running_line != NULL ? tr("Esc stops") : hints);
 }
 
 void
 viewer_draw(struct tui *t)
 {
-	scroll_to_fit(t);
+	clamp_scroll_position(t);
 	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
 	char *rest = NULL;
@@ -458,23 +463,24 @@ viewer_draw(struct tui *t)
 		char *cut = viewer_draw_line(t, n);
 		rest = cut != NULL ? cut : rest;
 		if (v->keys &&
-		    keys_listed_at(t->ui.page, v->word.text, (size_t)n))
-			hits_add_with_key(&t->hits,
-			    area_part_of_row(
+		    keys_nth_listed(t->ui.page, v->word.text, (size_t)n))
+			hits_add_handler_and_key(&t->hits,
+			    area_of_columns_in_row(
 				body, row, n / rows * columns, columns),
-			    on_click_key, (size_t)n, '\n');
+			    on_click_choose_key, (size_t)n, '\n');
 	}
 	int at = v->lines > 0 ? v->at % rows - v->top : 0;
 	t->cursor =
 	    (struct cursor){body->row + (at > 0 && at < body->rows ? at : 0),
 		v->at > 0 ? v->at / rows * columns : 0};
 	if ((v->word.active || v->word.n > 0) && t->layout.hints.rows > 0) {
-		int column = draw_searched_word(t);
+		int column = draw_search_word_and_count(t);
 		if (v->word.active)
 			t->cursor =
 			    (struct cursor){t->layout.hints.row, column};
 	} else if (rest != NULL)
-		screen_text(&t->layout.hints, 0, 0, LOOK_REVERSE, "%s", rest);
+		screen_draw_text(
+		    &t->layout.hints, 0, 0, LOOK_REVERSE, "%s", rest);
 	else if (!draw_what_enter_does(t))
 		viewer_draw_hints(t);
 	free(rest);
