@@ -211,6 +211,16 @@ done
 result $? 'a script that sources it finds it; what it writes is written here'
 remark "$dir/log"
 
+mkdir -p "$dir/own/sub"
+cp "$here/tierp.csv" "$dir/own"
+cp "$here/bro.csv" "$dir/own/sub/cut.csv"
+printf 'load tierp.csv\nwrite cut.csv\nreset\nload cut.csv\n' \
+	>"$dir/own/sub/own.tip"
+(cd "$dir/own" && "$TIPSPEED" sub/own.tip) >"$dir/out" 2>&1
+tail -n 1 "$dir/out" | grep -q '^loaded Tierp'
+result $? 'a script reads what it wrote, not a file of that name beside it'
+remark "$dir/out"
+
 refused 'a script that is there' 2 'already exists' 'save ../undone.tip'
 refused 'another name' 2 'ends in .tip' 'save results.csv'
 refused 'a device' 2 'ends in .tip, got ./dev/full.' 'save /dev/full'

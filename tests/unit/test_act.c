@@ -1278,7 +1278,7 @@ a_question_stays_when_the_slider_moves(void **state)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = open_memstream(&text, &n);
-	journal_write_script(t->session, memory);
+	journal_write_script(t->session, NULL, memory);
 	fclose(memory);
 	assert_non_null(
 	    strstr(text, "\npredict 70 detail=on\npredict speed=71.1\n"));

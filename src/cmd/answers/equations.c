@@ -1,7 +1,6 @@
 /* show equations: Eqs 1 to 5 as printed and as used, and for each departure the
  * result of the printed form at the current site.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -65,6 +64,15 @@ midpoint_of_coarsest_broken_class(
 	return NAN;
 }
 
+/* Returns a share, %, as text; of one too large for a double, its bound.  The
+ * caller frees it. */
+static char *
+share_text(double pct)
+{
+	return isfinite(pct) ? xasprintf("%.3g %%", pct)
+			     : xstrdup(tr("below -1e+308 %"));
+}
+
 static void
 note_effect_of_misprinted_sign(
     struct answer *r, const struct equation_example *w, double speed)
@@ -76,20 +84,21 @@ note_effect_of_misprinted_sign(
 		double t = exponent_of_eq3(w, coarse, speed);
 		fields_put_values(o, "coarse_mm %g used_pct %g printed_pct %g",
 		    units_m_to_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
+		FREED char *share = share_text(-100 * expm1(t));
 		answer_note(r,
 		    "D1, the sign: at %g m/s S of %.3g mm is %.1f %%; as "
-		    "printed it is %.3g %%",
-		    speed, units_m_to_mm(coarse), -100 * expm1(-t),
-		    fmax(-100 * expm1(t), -DBL_MAX));
+		    "printed it is %s",
+		    speed, units_m_to_mm(coarse), -100 * expm1(-t), share);
 	}
 	if (!isnan(fine)) {
 		double t = exponent_of_eq3(w, fine, speed);
 		fields_put_values(o, "fine_mm %g no_floor_pct %g",
 		    units_m_to_mm(fine), -100 * expm1(-t));
+		FREED char *share = share_text(-100 * expm1(-t));
 		answer_note(r,
 		    "D1, the floor: %.3g mm is below the break size and does "
-		    "not break; without the floor its S is %.3g %%",
-		    units_m_to_mm(fine), fmax(-100 * expm1(-t), -DBL_MAX));
+		    "not break; without the floor its S is %s",
+		    units_m_to_mm(fine), share);
 	}
 }
 

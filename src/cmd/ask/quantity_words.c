@@ -421,9 +421,12 @@ quantities_field_name(const struct quantity *q)
 char *
 quantities_band_text(double low, double high, int decimals)
 {
-	return isfinite(low) && isfinite(high)
-		   ? xasprintf(
-			 tr(" (%.*f to %.*f)"), decimals, low, decimals, high)
+	if (isfinite(low) && isfinite(high))
+		return xasprintf(
+		    tr(" (%.*f to %.*f)"), decimals, low, decimals, high);
+	return isfinite(high) ? xasprintf(tr(" (at most %.*f)"), decimals, high)
+	       : isfinite(low)
+		   ? xasprintf(tr(" (at least %.*f)"), decimals, low)
 		   : xstrdup("");
 }
 

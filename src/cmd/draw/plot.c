@@ -73,7 +73,8 @@ static const struct {
     {offsetof(struct args, param), KIND(PROFILE)},
     {offsetof(struct args, at), KIND(PSD)},
     {offsetof(struct args, level), KIND(PSD)},
-    {offsetof(struct args, feed), KIND(PSD) | KIND(SWEEP) | KIND(RESPONSE)},
+    {offsetof(struct args, feed), KIND(PSD) | KIND(RUNS) | KIND(SELECTION) |
+				      KIND(SWEEP) | KIND(RESPONSE)},
     {offsetof(struct args, cut), KIND(PSD) | KIND(SWEEP) | KIND(RESPONSE)},
 };
 

@@ -121,7 +121,7 @@ parse_call_of_script(struct session *s, struct words *words, struct place place,
 	    parse_command_words(words, place, args, error);
 	FREED char *folder = script_other_folder(s, place.file);
 	if (command == NULL || folder == NULL ||
-	    !call_paths_find_in_folder(args, words, folder))
+	    !call_paths_find_in_folder(s, args, words, folder))
 		return command;
 	args_free(args);
 	return parse_command_words(words, place, args, error);

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/session/files.h"
 #include "io/formats/standards.h"
 
 /* Returns the index of the option whose value is the word or the text after its
@@ -82,30 +83,47 @@ call_paths_map(const char *paths,
 	return whole;
 }
 
-bool
-call_path_exists(const char *path)
+size_t
+call_path_length_of_file(const char *path)
 {
 	FREED char *name = xstrdup(path);
 	for (char *end = name; end != NULL;) {
 		if (access(name, F_OK) == 0)
-			return true;
+			return strlen(name);
 		char *at = strrchr(name, '@'), *equals = strrchr(name, '=');
-		end = at > equals ? at : equals;
+		end =
+		    at == NULL || (equals != NULL && equals > at) ? equals : at;
 		if (end != NULL)
 			*end = '\0';
 	}
-	return false;
+	return 0;
+}
+
+struct script_folder {
+	const struct session *session;
+	const char *folder;
+};
+
+/* True if the path is of a file that the session wrote, which a later line of
+ * the script means. */
+static bool
+is_path_written(const struct session *s, const char *path)
+{
+	FREED char *file = xstrndup(path, call_path_length_of_file(path));
+	return file[0] != '\0' && files_is_written(s, file);
 }
 
 static char *
-path_beside_script(const char *path, const void *folder)
+path_beside_script(const char *path, const void *script)
 {
+	const struct script_folder *of = script;
 	const char *name = path;
 	while (strncmp(name, "./", 2) == 0)
 		name += 2;
-	char *beside = xasprintf("%s/%s", (const char *)folder, name);
+	char *beside = xasprintf("%s/%s", of->folder, name);
 	bool dots = strcmp(name, "") == 0 || strcmp(name, ".") == 0;
-	if (path[0] != '/' && !dots && call_path_exists(beside))
+	if (path[0] != '/' && !dots && call_path_length_of_file(beside) > 0 &&
+	    !is_path_written(of->session, path))
 		return beside;
 	free(beside);
 	return xstrdup(path);
@@ -124,9 +142,10 @@ is_word_written(const struct args *args, const struct command_option *option)
 }
 
 bool
-call_paths_find_in_folder(
-    const struct args *args, struct words *words, const char *folder)
+call_paths_find_in_folder(const struct session *s, const struct args *args,
+    struct words *words, const char *folder)
 {
+	const struct script_folder script = {s, folder};
 	bool any = false;
 	for (size_t i = 1; i < words->n; i++) {
 		char *word = words->text[i];
@@ -135,7 +154,7 @@ call_paths_find_in_folder(
 		if (path == NULL || is_word_written(args, o))
 			continue;
 		FREED char *found =
-		    call_paths_map(path, path_beside_script, folder);
+		    call_paths_map(path, path_beside_script, &script);
 		if (strcmp(found, path) == 0)
 			continue;
 		words->text[i] =

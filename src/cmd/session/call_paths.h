@@ -7,14 +7,16 @@
 
 #include "cmd/lang/command.h"
 #include "cmd/lang/parse.h"
+#include "cmd/session/session.h"
 
 /* Returns the path in a word of the call, which is the word itself or the value
  * of an option, or NULL if it has none.  *option: the option, or NULL. */
 const char *call_path_in_word(const struct args *args, const char *word,
     const struct command_option **option);
 
-/* True if the path, or what is before an @ or = in it, is a file or folder. */
-bool call_path_exists(const char *path);
+/* Returns the length of the path, or of what is before an @ or = in it, if that
+ * is a file or folder, else 0. */
+size_t call_path_length_of_file(const char *path);
 
 /* Returns a path, or each path of a blend of feeds, as map returns it.  The
  * caller frees it. */
@@ -22,9 +24,10 @@ char *call_paths_map(const char *paths,
     char *(*map)(const char *path, const void *of), const void *of);
 
 /* In a line of a script in `folder`, replaces the relative names of files that
- * the command reads, and that are in this folder, by their paths.  Returns true
- * if it replaced any; then the words have to be parsed again. */
-bool call_paths_find_in_folder(
+ * the command reads, and that are in this folder, by their paths, but not that
+ * of a file that the session wrote.  Returns true if it replaced any; then the
+ * words have to be parsed again. */
+bool call_paths_find_in_folder(const struct session *s,
     const struct args *args, struct words *words, const char *folder);
 
 #endif

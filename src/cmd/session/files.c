@@ -103,6 +103,20 @@ files_record_written(struct session *s, const char *path)
 	record_use_of_file(s, path, true);
 }
 
+bool
+files_is_written(const struct session *s, const char *path)
+{
+	struct stat file, other;
+	const struct files *f = s->files;
+	if (f == NULL || stat(path, &file) != 0)
+		return false;
+	for (size_t i = 0; i < f->n; i++)
+		if (f->use[i].written && stat(f->use[i].path, &other) == 0 &&
+		    file.st_dev == other.st_dev && file.st_ino == other.st_ino)
+			return true;
+	return false;
+}
+
 void
 files_set_session_script_path(struct session *s, const char *path, bool saved)
 {

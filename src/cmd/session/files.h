@@ -15,6 +15,9 @@
 void files_record_read(struct session *s, const char *path);
 void files_record_written(struct session *s, const char *path);
 
+/* True if the session wrote this file, which is still there. */
+bool files_is_written(const struct session *s, const char *path);
+
 /* Notes the script that holds the session, because the session was saved to it,
  * if `saved`, or restored from it. */
 void files_set_session_script_path(

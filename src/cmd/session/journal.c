@@ -147,7 +147,9 @@ names_only_speeds(const char *line)
 		for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
 			if (strncmp(line, KEYS[i], strlen(KEYS[i])) == 0)
 				line += strlen(KEYS[i]);
-		size_t number = strspn(line, "0123456789.");
+		size_t number = strspn(line, "0123456789");
+		number += line[number] == '.' ? 1 : 0;
+		number += strspn(line + number, "0123456789");
 		line += number;
 		line += strncmp(line, "rpm", 3) == 0 ? 3 : 0;
 		if (number == 0)
@@ -206,7 +208,7 @@ absolute_path(const char *path, const void *unused)
 		path += 2;
 	const char *name = file_name_without_folders(path);
 	/* The name of a shipped file, such as vsi-69. */
-	if (name == path && !call_path_exists(path))
+	if (name == path && call_path_length_of_file(path) == 0)
 		return xstrdup(path);
 	FREED char *real = strstr(path, "../") != NULL && name > path
 			       ? file_real_folder(path)

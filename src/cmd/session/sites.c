@@ -12,6 +12,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/fit/job.h"
+#include "io/sitefile/site_request.h"
 #include "io/sitefile/units.h"
 
 static uint64_t
@@ -132,13 +133,37 @@ insert_site_into_session(struct session *s, struct site *site, size_t place)
 	session_take_ownership_of_site(s, site);
 }
 
+/* Returns the length of the sheet's name in a part, "Berga A1:E12". */
+static size_t
+length_of_sheet_name(const char *part)
+{
+	const char *blank = strrchr(part, ' ');
+	return blank != NULL ? (size_t)(blank - part) : 0;
+}
+
+/* True if both are ranges of one sheet, and overlap: then the second is the
+ * first, corrected. */
+static bool
+do_ranges_overlap(const char *a, const char *b)
+{
+	struct cell_range one, two;
+	size_t n = length_of_sheet_name(a);
+	if (n != length_of_sheet_name(b) || strncmp(a, b, n) != 0)
+		return false;
+	n += n > 0;
+	return cell_range_parse(a + n, &one) && cell_range_parse(b + n, &two) &&
+	       one.top <= two.bottom && two.top <= one.bottom &&
+	       one.left <= two.right && two.left <= one.right;
+}
+
 /* True if two sites of a file are of different sheets or ranges of it.  One
  * that was read from all of it may be the same as any other. */
 static bool
 is_other_part(const struct site *a, const struct site *b)
 {
 	return a->part[0] != '\0' && b->part[0] != '\0' &&
-	       strcmp(a->part, b->part) != 0;
+	       strcmp(a->part, b->part) != 0 &&
+	       !do_ranges_overlap(a->part, b->part);
 }
 
 /* Finds the site that was read from the same file, or part of it, by its path

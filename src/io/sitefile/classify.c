@@ -562,6 +562,11 @@ infer_column_quantity_and_unit(struct column *c, bool told)
 		      : guess_quantity_in_stated_unit(
 			    c, &s, total, &kind, &scale)) &&
 	       sure;
+	bool classes = has_size_classes(c->table),
+	     doubtful = classes && kind != RETAINED;
+	/* What is between two sieves does not include what is above. */
+	if (classes && kind == CUMULATIVE)
+		kind = RETAINED;
 	c->unit = site_unit_index(kind, scale);
 	bool usual = words || (kind == PASSING && scale == OF_100);
 	if (!title && (!usual || (c->said.means & SCALE_WORDS) == 0))
@@ -569,8 +574,7 @@ infer_column_quantity_and_unit(struct column *c, bool told)
 	c->to_next = has_masses_down_to_next_size(c, &s);
 	if (c->to_next)
 		assume(c, "from the size of each row down to the next");
-	c->open = c->open || !sure ||
-		  (has_size_classes(c->table) && kind != RETAINED) ||
+	c->open = c->open || !sure || doubtful ||
 		  (c->table->below && kind != PASSING && !c->to_next);
 }
 

@@ -727,7 +727,7 @@ note_speed_of_file_name(struct reading *r, const char *path, size_t i)
 	    &r->site->assumed, "; ", tr("the speed in the name of %s"), stem);
 }
 
-/* Reports the products from the ith on whose headings state another speed than
+/* Reports a product from the ith on whose heading states another speed than
  * `given`, that after the name of their file, if not 0.  One from rpm may
  * differ from it by what is rounded off. */
 static void
@@ -744,6 +744,7 @@ check_speed_given_for_file(const struct columns *all, size_t i, double given)
 		sheet_report_expected(c->table->sheet, c->head, wanted,
 		    "leave out @%g to take the speed of the sheet, %g m/s",
 		    given, c->speed);
+		return;
 	}
 }
 
@@ -879,7 +880,7 @@ read_site_file(struct reading *r, size_t file)
 			? N_("expected a sheet called %s, got none\n"
 			     "its sheets: %s")
 			: N_("expected a sheet called %s, got a file without "
-			     "sheets\nleave out sheet=%s"),
+			     "sheets\nleave out sheet="),
 		    q->sheet != NULL ? q->sheet : tr("(any)"), names);
 	return found;
 }
