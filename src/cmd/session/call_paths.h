@@ -27,7 +27,7 @@ char *call_paths_map(const char *paths,
  * the command reads, and that are in this folder, by their paths, but not that
  * of a file that the session wrote.  Returns true if it replaced any; then the
  * words have to be parsed again. */
-bool call_paths_find_in_folder(const struct session *s,
-    const struct args *args, struct words *words, const char *folder);
+bool call_paths_find_in_folder(const struct session *s, const struct args *args,
+    struct words *words, const char *folder);
 
 #endif
