@@ -1545,18 +1545,18 @@ another_feed_than_that_of_the_pages_is_told(void **state)
 }
 
 /* The linker puts these in the place of what they count. */
-struct prediction __real_predict_table(
+struct prediction __real_predict_at_table_sieves(
     const struct site *, size_t, const struct fraction *, struct forecast *);
-struct prediction __wrap_predict_table(
+struct prediction __wrap_predict_at_table_sieves(
     const struct site *, size_t, const struct fraction *, struct forecast *);
 static size_t predictions;
 
 struct prediction
-__wrap_predict_table(const struct site *site, size_t feed_run,
+__wrap_predict_at_table_sieves(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct forecast *f)
 {
 	predictions++;
-	return __real_predict_table(site, feed_run, fraction, f);
+	return __real_predict_at_table_sieves(site, feed_run, fraction, f);
 }
 
 /* With all that the page can show: the band, the crosshair, what is kept

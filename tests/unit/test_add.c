@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "cmd/ask/cut.h"
 #include "cmd/ask/forecast.h"
@@ -304,7 +305,7 @@ a_written_site_is_the_same(void **state)
 static void
 replay(struct desk *desk)
 {
-	char *saved = xasprintf("%s/s.tip", folder), line[500];
+	char *saved = xasprintf("%s/saved/s.tip", folder), line[500];
 	FILE *in = fopen(saved, "r");
 	assert_non_null(in);
 	desk_expect(desk, "reset");
@@ -323,7 +324,7 @@ a_saved_session_adds_again_and_notices_changes(void **state)
 	fresh(desk);
 	say(desk, "add %s/cut.csv@79 date=2026-05-03", folder);
 	uint64_t digest = site_of(desk)->digest;
-	say(desk, "save %s/s.tip replace=on", folder);
+	say(desk, "save %s/saved/s.tip replace=on", folder);
 	replay(desk);
 	assert_int_equal(site_of(desk)->digest, digest);
 	fresh(desk);
@@ -623,7 +624,7 @@ somebody_is_asked_once(void **state)
 	say(desk, "add %s/cut.csv@2026-05-03T10:01", folder);
 	assert_near(site_of(desk)->run[0].speed, 70.5, 1e-9);
 	uint64_t digest = site_of(desk)->digest;
-	say(desk, "save %s/s.tip replace=on", folder);
+	say(desk, "save %s/saved/s.tip replace=on", folder);
 	desk->session->hooks.ask = NULL;
 	replay(desk);
 	assert_int_equal(site_of(desk)->digest, digest);
@@ -635,6 +636,9 @@ make_files(void **state)
 {
 	(void)state;
 	assert_non_null(mkdtemp(folder));
+	/* A script in a folder of its own has whole paths. */
+	FREED char *saved = xasprintf("%s/saved", folder);
+	assert_int_equal(mkdir(saved, 0700), 0);
 	free(file("site.csv", FEED));
 	free(file("cut.csv", CUT));
 	return 0;
@@ -645,13 +649,15 @@ remove_files(void **state)
 {
 	(void)state;
 	static const char *const NAMES[] = {"site.csv", "cut.csv", "feed.csv",
-	    "own.csv", "off.csv", "copy.csv", "s.tip", "feedonly.csv",
+	    "own.csv", "off.csv", "copy.csv", "saved/s.tip", "feedonly.csv",
 	    "log.csv", "varied.csv", "mean.csv"};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
 		char *path = xasprintf("%s/%s", folder, NAMES[i]);
 		unlink(path);
 		free(path);
 	}
+	FREED char *saved = xasprintf("%s/saved", folder);
+	rmdir(saved);
 	rmdir(folder);
 	return 0;
 }

@@ -88,7 +88,10 @@ what_was_passed_over_is_told(void **state)
 		"line 3: the sieve 5.6 has no numbers; "},
 	    {"size_mm,feed,sd@69,product@69,product@79\n8,100,,100,100\n"
 	     "4,60,,80,90\n",
-		"column 3: it is empty; "}};
+		""},
+	    {"size_mm,feed,product@69,product@74,product@79\n"
+	     "8,100,100,,100\n4,60,80,,90\n",
+		"column 4: it is empty; "}};
 	for (size_t i = 0; i < ARRAY_LEN(SHEETS); i++) {
 		struct site *site = accept(SHEETS[i].sheet);
 		char *told = xstrdup("");

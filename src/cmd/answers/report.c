@@ -466,12 +466,14 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 	bool ok = parse_report_request(s, args, &ask, error);
 	if (ok) {
 		/* The answers from before the report stay available to
-		 * assert. */
+		 * assert, and what was asked to later commands. */
+		const struct last_asked asked = s->last_asked;
 		struct answer **kept = s->answer;
 		size_t n_kept = s->n_answer;
 		s->answer = NULL;
 		s->n_answer = 0;
 		write_report(s, &ask);
+		s->last_asked = asked;
 		session_remove_answers(s);
 		free(s->answer);
 		s->answer = kept;

@@ -281,7 +281,9 @@ question_read_and_answer(struct session *s, const struct args *args,
 		  question_from_args(
 		      s, session_current_site_entry(s), args, &q, error) &&
 		  answer(s, args, &q, error);
-	if (ok && q.speed_given) {
+	/* A command that is not saved leaves no trace for later ones. */
+	bool saved = (args->command->flags & COMMAND_UNSAVED) == 0;
+	if (ok && saved && q.speed_given) {
 		s->last_asked.speed = q.speed;
 		s->last_asked.found_by = NULL;
 	}

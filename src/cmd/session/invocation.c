@@ -177,7 +177,8 @@ record_command_in_journal(
 {
 	static const char aside[] = " > /dev/null";
 	bool elsewhere = is_result_redirected(t);
-	changed = changed || has_asked_otherwise(s, t);
+	/* A report asks, and then brings back what was asked before. */
+	changed = changed || (s->document == NULL && has_asked_otherwise(s, t));
 	/* A result on the screen does not give way to one that was not. */
 	bool series = (t->command->flags & COMMAND_KEEPS_LAST) != 0 &&
 		      journal_last_line_ends(s, aside) == elsewhere;
