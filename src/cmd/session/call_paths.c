@@ -146,6 +146,8 @@ call_paths_find_in_folder(const struct session *s, const struct args *args,
     struct words *words, const char *folder)
 {
 	const struct script_folder script = {s, folder};
+	/* The operands of args are the words as they were. */
+	FREED char **was = xcalloc(words->n, sizeof *was);
 	bool any = false;
 	for (size_t i = 1; i < words->n; i++) {
 		char *word = words->text[i];
@@ -159,8 +161,10 @@ call_paths_find_in_folder(const struct session *s, const struct args *args,
 			continue;
 		words->text[i] =
 		    xasprintf("%.*s%s", (int)(path - word), word, found);
-		free(word);
+		was[i] = word;
 		any = true;
 	}
+	for (size_t i = 1; i < words->n; i++)
+		free(was[i]);
 	return any;
 }
