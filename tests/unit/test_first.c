@@ -127,16 +127,22 @@ a_saved_session_is_restored(void **state)
 }
 
 static void
-a_sheet_is_opened_by_a_command_that_can_be_undone(void **state)
+choose_borlange(struct tui *t)
 {
-	struct stage *stage = *state;
-	struct tui *t = &stage->t;
 	press(t, "o");
 	choose(t, "data");
 	press(t, "Enter");
 	choose(t, "sites");
 	press(t, "Right");
 	choose(t, "borlange.csv");
+}
+
+static void
+a_sheet_is_opened_by_a_command_that_can_be_undone(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	choose_borlange(t);
 	assert_true(shows("3 runs: 69, 74, 79 m/s"));
 	press(t, "Enter");
 	assert_false(t->picker.on);
@@ -144,12 +150,7 @@ a_sheet_is_opened_by_a_command_that_can_be_undone(void **state)
 	assert_non_null(strstr(t->message, "press f to calibrate"));
 	assert_int_equal(stage->desk->session->n_entry, 1);
 	/* Once more, it takes the place of the site. */
-	press(t, "o");
-	choose(t, "data");
-	press(t, "Enter");
-	choose(t, "sites");
-	press(t, "Right");
-	choose(t, "borlange.csv");
+	choose_borlange(t);
 	press(t, "Enter");
 	assert_non_null(strstr(t->message, "loaded earlier"));
 	press(t, "u");

@@ -83,8 +83,7 @@ static void
 note_unused_options(
     const struct session *s, const struct args *args, enum plot_kind kind)
 {
-	for (size_t i = 0; i < sizeof OPTION_KINDS / sizeof *OPTION_KINDS;
-	     i++) {
+	for (size_t i = 0; i < ARRAY_LEN(OPTION_KINDS); i++) {
 		const void *member =
 		    (const char *)args + OPTION_KINDS[i].option;
 		if ((OPTION_KINDS[i].kinds & 1u << kind) == 0 &&

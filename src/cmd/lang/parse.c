@@ -174,7 +174,7 @@ words_replace_by_one(
 }
 
 /* If the first two words are the name of a command, "store list", joins them.
- * The line "set seed=4" becomes "set seed" and "4". */
+ * The words "set" and "seed=4" become "set seed" and "4". */
 static void
 join_command_name(struct words *words)
 {
@@ -184,7 +184,7 @@ join_command_name(struct words *words)
 	FREED char *name =
 	    xasprintf("%s %.*s", words->text[0], (int)n, words->text[1]);
 	const struct command *command = command_find(name);
-	if (command == NULL || (value && words->n > 2))
+	if (command == NULL)
 		return;
 	words_replace_by_one(words, 0, value ? 1 : 2, name);
 	if (value)

@@ -71,7 +71,7 @@ const struct command TABLE_SESSION[] = {
 	    "deep. The first error ends all of them; a prompt continues. "
 	    "Relative names of files to read are looked up in the folder of "
 	    "the script, then in the working folder, in which results are "
-	    "written.",
+	    "written; one that the session has written is read from there.",
 	.example = "source data/sessions/tierp.tip",
 	.run = cmd_source},
     {.name = "echo",
