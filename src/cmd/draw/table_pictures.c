@@ -48,17 +48,17 @@ const struct command TABLE_PICTURES[] = {
 	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text = "psd: feed, measured and predicted products; runs: every "
-	    "run, measured and by the model (dashed); parity: P20, P50, "
-	    "P80 predicted against measured; search: candidates of a "
-	    "search; convergence: the best and median; spread: where "
-	    "they lie within the bounds; residuals: predicted minus "
-	    "measured; selection: what share breaks (Eq 3); appearance: "
-	    "into what sizes (Eq 1); map: materials and loaded sites; "
-	    "sweep: products at several speeds; response: quantities "
-	    "against the tip speed; profile: the data on a parameter; "
-	    "correlation: about pairs; drift: control charts; energy: "
-	    "collision energies. > FILE.svg, .png or .pdf draws a "
-	    "figure, 'set figure_mm' wide.",
+		"run, measured and by the model (dashed); parity: P20, P50, "
+		"P80 predicted against measured; search: candidates of a "
+		"search; convergence: the best and median; spread: where "
+		"they lie within the bounds; residuals: predicted minus "
+		"measured; selection: what share breaks (Eq 3); appearance: "
+		"into what sizes (Eq 1); map: materials and loaded sites; "
+		"sweep: products at several speeds; response: quantities "
+		"against the tip speed; profile: the data on a parameter; "
+		"correlation: about pairs; drift: control charts; energy: "
+		"collision energies. > FILE.svg, .png or .pdf draws a "
+		"figure, 'set figure_mm' wide.",
 	.more =
 	    "runs predicts each from its own feed, with speeds= also at speeds "
 	    "that were not measured; parity has the held-out speeds of all "
