@@ -42,7 +42,7 @@ const struct command TABLE_ANSWERS[] = {
 		"on: show the model alone, specific energy and break size "
 		"too"}),
 	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
-	    SHARED_CUT, SHARED_SCREENS},
+	    SHARED_CUT},
 	.text =
 	    "Needs parameters: run calibrate or params set first. Outside the "
 	    "training speeds the result is marked as extrapolated. "
@@ -92,8 +92,7 @@ const struct command TABLE_ANSWERS[] = {
 	    OPTION_LIST({NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
 		"rotor tip speeds; default 65..85:5, extended or moved to "
 		"cover the runs"}),
-	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT},
 	.text =
 	    "Predicts at several speeds, as predict 65..85:5 does. "
 	    "Up to seven speeds are shown side by side, sieve by sieve; "
@@ -120,7 +119,7 @@ const struct command TABLE_ANSWERS[] = {
 		"new feed, for tonnes and kWh/t as in flow"},
 	    FLOW_PARTS,
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"}),
-	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text = "One row for each speed, in m/s and, where the site states the "
 		"rotor's diameter, in rpm: P20, P50 and P80, the figures that "
 		"are named, the range of one of them and its measured value, "
@@ -146,8 +145,7 @@ const struct command TABLE_ANSWERS[] = {
 		"held-out speed, else 74"},
 	    {TEXT(of), NULL, "",
 		"figures, see figures; default: the curves and sizes"}),
-	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT},
 	.text =
 	    "Compares the predicted products of the site in use at two speeds, "
 	    "with the same feed, or of two loaded sites at one speed, each "
@@ -184,8 +182,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {TEXT(of), NULL, "",
 		"figures, with commas between: P80, passing 2, "
 		"fm EN, 0/4, P50 of 0/4"}),
-	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "Does the same as predict with the names of figures, predict 72 "
 	    "passing 2 P80, or with of=, predict 72 of=fm,D10,0/2. Shows "
@@ -218,7 +215,7 @@ const struct command TABLE_ANSWERS[] = {
 		"slowest speed; default 65, or less to cover the runs"},
 	    {SPEED(to), "fastest speed; default 85, or more to cover the runs"},
 	    {OFF_ON(detail), "off", "on: also other speeds and sizes found"}),
-	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "The inverse of predict: finds the tip speed for a P20, P50 or "
 	    "P80, for a passing at a size, or the speeds at which the product "
@@ -294,7 +291,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {SPEED(to), "fastest speed; default 85, or more to cover the runs"},
 	    {OFF_ON(detail), "off",
 		"on: also the other speeds that were found"}),
-	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
+	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "A condition is a quantity of figures and a limit, with quotes or "
 	    "without: \"passing 2 = 40..50\", \"passing 0.063 < 6\", \"P80 > "
@@ -328,8 +325,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {"use list off SPEC FILE", "SPEC FILE", ""}, 0, 12},
 	.flags = COMMAND_CHANGES | COMMAND_SPEC,
 	.option = OPTION_LIST({LAST_OR_USUAL_SPEED}),
-	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "'spec use NAME' chooses an envelope for the session: spec and "
 	    "find then compare with it, and plots of size distributions draw "
@@ -373,7 +369,7 @@ const struct command TABLE_ANSWERS[] = {
 		"rounding; 0: exact"},
 	    {WHOLE(n), "", 1, 256, NULL, "200", "how many draws to write"}),
 	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
-	    SHARED_CUT, SHARED_SCREENS},
+	    SHARED_CUT},
 	.text =
 	    "Shows what passes 2 mm, P20, P50 and P80 at a speed, or the "
 	    "figures that are named, with the range in which the true value "
@@ -399,8 +395,7 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST({LAST_SPEED},
 	    {TEXT(of), NULL, "", "figure, see figures; default: P80"}),
-	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "For a repeat at each measured speed, and a sample at each round "
 	    "speed, shows the expected width of the band of one figure of the "
@@ -452,8 +447,7 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS,
 	.bare = "speed",
 	.option = OPTION_LIST({LAST_SPEED}),
-	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "Explains the site in use at a speed in sentences: what breaks, "
 	    "how much of the feed that is, how far the speed is from the "
@@ -507,8 +501,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "",
 		"new feed, for a section with its flow"},
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"}),
-	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "Write it with > FILE.html, for a browser, or > FILE.pdf, for "
 	    "paper (A4). The file holds what other commands answer: the light "

@@ -34,13 +34,17 @@ const struct command_option SHARED_SIEVES[] = {
 	"sieves to show; default: the site's"},
     {.name = NULL}};
 
+/* Of screens, which cut a fraction or stand in a circuit. */
+#define SCREENS                                                            \
+	{NUMBER(sharpness), "", 0.1, 100, NULL, "",                        \
+	    "sharpness of the screens (Whiten), 3 to 10; default: ideal"}, \
+	{                                                                  \
+		NUMBER(cut_size), "%", 10, 200, NULL, "100",               \
+		    "size that half passes, relative to the opening"       \
+	}
+
 const struct command_option SHARED_CUT[] = {
-    {TEXT(cut), NULL, "", "screened fraction in mm, such as 0/4"},
+    {TEXT(cut), NULL, "", "screened fraction in mm, such as 0/4"}, SCREENS,
     {.name = NULL}};
 
-const struct command_option SHARED_SCREENS[] = {
-    {NUMBER(sharpness), "", 0.1, 100, NULL, "",
-	"sharpness of the screens (Whiten), 3 to 10; default: ideal"},
-    {NUMBER(cut_size), "%", 10, 200, NULL, "100",
-	"size that half passes, relative to the opening"},
-    {.name = NULL}};
+const struct command_option SHARED_SCREENS[] = {SCREENS, {.name = NULL}};

@@ -45,8 +45,7 @@ const struct command TABLE_PICTURES[] = {
 		"default: that of the screen, at most 24"},
 	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
 		"characters"}),
-	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text = "psd: feed, measured and predicted products; runs: every "
 		"run, measured and by the model (dashed); parity: P20, P50, "
 		"P80 predicted against measured; search: candidates of a "
@@ -91,8 +90,7 @@ const struct command TABLE_PICTURES[] = {
 	.flags = COMMAND_DURING_SEARCH,
 	.option = OPTION_LIST(WHAT_OPTIONS,
 	    {CHOICE(as), "words", "words", "for plot: words, no picture"}),
-	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
-	    SHARED_SCREENS},
+	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "Does the same as plot with as=words, for example plot psd "
 	    "as=words: describes what plot would draw, for users of screen "

@@ -256,8 +256,7 @@ const struct command_option *
 command_shared_option_at(size_t i)
 {
 	static const struct command_option *const ALL[] = {SHARED_RPM,
-	    SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
-	    SHARED_SCREENS, NULL};
+	    SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT, NULL};
 	return option_at_index(ALL, i);
 }
 
