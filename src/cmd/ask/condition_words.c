@@ -21,6 +21,20 @@ is_option_word(const struct command *command, const char *word)
 	       (word[n] == '=' || (command->flags & COMMAND_SETTINGS) != 0);
 }
 
+/* Puts spaces around the = of "fm=4", which would otherwise be taken for an
+ * option that the command does not have. */
+static void
+separate_quantity_from_value(struct words *words, size_t i)
+{
+	const char *word = words->text[i];
+	size_t n = strcspn(word, " <>=");
+	if (word[n] != '=' || is_option_word(words->command, word) ||
+	    !quantities_is_beginning_of_text(word))
+		return;
+	FREED char *apart = xasprintf("%.*s = %s", (int)n, word, word + n + 1);
+	words_replace_by_one(words, i, 1, apart);
+}
+
 /* True if a word continues the condition before it. */
 static bool
 does_word_continue_condition(
@@ -145,13 +159,16 @@ void
 conditions_join_words(struct words *words)
 {
 	size_t from = find_first_condition_word(words);
+	for (size_t i = from; i > 0 && i < words->n; i++) {
+		if (i + 1 < words->n)
+			drop_comma_at_end(words->text[i]);
+		separate_quantity_from_value(words, i);
+	}
 	if (words->command != NULL &&
 	    (from == 0 || !has_limit_among_words(words)))
 		join_quantities_to_option(words);
 	if (from == 0)
 		return;
-	for (size_t i = from; i + 1 < words->n; i++)
-		drop_comma_at_end(words->text[i]);
 	for (size_t i = from; i < words->n; i++)
 		join_words_of_condition(words, i);
 }
