@@ -288,7 +288,7 @@ static const struct large LARGE[] = {
     {"lines of 25 heads", print_heads_25, 19900, 19900 * 25, NULL, NO_TABLE},
     {"lines of a comma", print_commas, 3000000, 0, NULL, TOO_LONG},
     {"empty cells, squared", print_empty_cells, 5000, 0, LARGE_ODS,
-	"expected a site file, got an empty workbook"},
+	"expected cells with values, got an empty workbook"},
     {"blanks in each of 5000 x 5000 cells", print_blanks, 2000000, 0, LARGE_ODS,
 	NO_SIEVES},
     {"letters in a cell", print_long_cell, 9000000, 0, LARGE_ODS, NO_SIEVES},

@@ -293,7 +293,7 @@ hint_for_non_number(const char *s)
 		return tr("write thousands without a separator: 1000");
 	return n > 0 ? tr("write the number alone; units belong in the header")
 		     : tr("write digits and a decimal point, or leave the cell "
-			  "empty where the sieve was not used");
+			  "empty if nothing was measured");
 }
 
 bool

@@ -119,8 +119,8 @@ read_archive_to_grid(struct archive *archive, struct sheets *grid)
 		    tr("expected a sheet with sieves, got none"), grid->note);
 	else if (grid->n == 0)
 		refuse_workbook(grid,
-		    tr("expected a site file, got an empty workbook"),
-		    tr("see tipspeed-site(5) for what a site file contains"));
+		    tr("expected cells with values, got an empty workbook"),
+		    tr("save it again in the program that wrote it"));
 	return wrong == NULL && grid->n > 0;
 }
 

@@ -101,8 +101,8 @@ textfile_decode(const char *path, const char *bytes, size_t n,
 	else if (textfile_is_blank(d.text, d.n))
 		error_set_at(error_list_add_item(errors), ERROR_DATA, path, 1,
 		    1,
-		    "expected a site file, got an empty file\n"
-		    "see tipspeed-site(5) for what a site file contains");
+		    "expected text, got an empty file\n"
+		    "save it again in the program that wrote it");
 	else
 		text = encoding_to_nfc(d.text);
 	if (d.encoding == ENCODING_1252)

@@ -443,8 +443,8 @@ material_read_table3_row(
 		double *number = column[i].number;
 		if (number == NULL)
 			continue;
-		FREED char *wanted = xasprintf(
-		    tr("a number above 0, up to %g,"), column[i].most);
+		FREED char *wanted =
+		    xasprintf(tr("a number above 0, up to %g"), column[i].most);
 		if (number_read_cell(sheet, row->cell[i], wanted, number) &&
 		    !(*number > 0 && *number <= column[i].most))
 			sheet_report_expected(
