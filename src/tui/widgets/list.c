@@ -4,6 +4,7 @@
 
 #include <limits.h>
 #include <stdio.h>
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -243,10 +244,11 @@ table_measure_columns(const struct tui *t, const struct list_table *table,
 static int
 find_column_with_rank(const struct list_table *table, int rank)
 {
-	int c = 0;
-	while (table->column[c].rank != rank)
-		c++;
-	return c;
+	for (int c = 0; c < table->n; c++)
+		if (table->column[c].rank == rank)
+			return c;
+	assert(!"each rank from 0 has a column");
+	return 0;
 }
 
 /* The column of rank 0 gets room first, but leaves some for the column of rank
