@@ -25,8 +25,8 @@ int list_draw_rows(
 
 /* A column of a list.  least: minimum width, or less if its texts are narrower;
  * with less room it is not shown.  rank: 0, 1 .. n - 1, each once; columns with
- * a low rank get room first.  indent: of its heading.  right: right-aligned, for numbers.  fixed:
- * always `least` wide. */
+ * a low rank get room first.  indent: of its heading.  right: right-aligned,
+ * for numbers.  fixed: always `least` wide. */
 struct list_column {
 	const char *head;
 	int least, rank, indent;
