@@ -281,6 +281,27 @@ site_of_runs(size_t n, bool individual_feeds)
 	return site;
 }
 
+/* Speeds of which each is that of its neighbours, but not the first that of the
+ * last, make a run for each product. */
+static void
+speeds_close_in_a_row_make_a_run_each(void **state)
+{
+	(void)state;
+	enum { N = 12 };
+	char *text = xstrdup("top_size_mm,8\nsize_mm,feed");
+	for (int i = 0; i < N; i++)
+		xappend(&text, ",product@60.%03d", i);
+	for (int mm = 8; mm >= 4; mm -= 4) {
+		xappend(&text, "\n%d,%d", mm, mm == 8 ? 100 : 60);
+		for (int i = 0; i < N; i++)
+			xappend(&text, ",%d", mm == 8 ? 100 : 70 + i);
+	}
+	struct site *site = accept(text);
+	assert_int_equal(site->n_run, N);
+	site_free(site);
+	free(text);
+}
+
 /* What can be written can be read: 4000 columns, that of the sizes included. */
 static void
 a_site_of_many_runs_reads_back_or_is_not_written(void **state)
@@ -390,6 +411,7 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		a_site_of_many_runs_reads_back_or_is_not_written, make_folder,
 		drop_folder),
+	    cmocka_unit_test(speeds_close_in_a_row_make_a_run_each),
 	    cmocka_unit_test(a_feed_needs_no_product),
 	    cmocka_unit_test(own_results_are_no_sheet),
 	};
