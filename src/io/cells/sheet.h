@@ -89,9 +89,9 @@ struct sheet {
 };
 
 /* Splits a UTF-8 text with LF, CRLF or CR line ends into cells, within the
- * limits.  The text is modified and must outlive the sheet.  Faults are added to errors (never NULL): a line with
- * wrong quotes is skipped; a line beyond the limits is reported, and the rest
- * of the file is not read. */
+ * limits.  The text is modified and must outlive the sheet.  Faults are added
+ * to errors (never NULL): a line with wrong quotes is skipped; a line beyond
+ * the limits is reported, and the rest of the file is not read. */
 struct sheet *sheet_new_from_text(const char *path, char *text,
     struct sheet_limits most, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
