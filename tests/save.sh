@@ -179,7 +179,8 @@ cp "$srcdir/data/sites/umea.csv" "$dir"
 cp "$srcdir/data/energy/vsi-69.csv" "$plant/sheets"
 (cd "$plant/sheets" && "$TIPSPEED" --format=json -c "load tierp ../bro.csv
 	load ../../umea.csv; use tierp; params set f_mat=2 e0_min=16 alpha=1
-	spec own.csv; predict 72 feed=\"north one.csv*0.5+tierp.csv@69*0.5\"
+	spec own.csv; set goal=\"passing 2 = 30..50; ./own.csv\"
+	predict 72 feed=\"north one.csv*0.5+tierp.csv@69*0.5\"
 	energy load vsi-69.csv" -c 'save ../quarry' -c 'save tierp.tip') \
 	>"$dir/first" 2>"$dir/log"
 result $? 'a session is saved above its sheets'

@@ -116,8 +116,8 @@ large_garbage_is_refused(void **state)
 	static const struct {
 		const char *fill, *part;
 	} garbage[] = {{"lorem ipsum\n", "more than 20000 lines"},
-	    {"lorem ipsum ", "20000 bytes"}, {",", "20000 bytes"},
-	    {"\"", "20000 bytes"}, {"1,2,3\n", "more than 20000 lines"},
+	    {"lorem ipsum ", "200000 bytes"}, {",", "200000 bytes"},
+	    {"\"", "200000 bytes"}, {"1,2,3\n", "more than 20000 lines"},
 	    {"#\n", "a table of sieves"}, {"\n ", "empty file"}};
 	for (size_t i = 0; i < ARRAY_LEN(garbage); i++) {
 		for (size_t k = 0; k < N; k++)
@@ -263,6 +263,79 @@ a_save_that_fails_leaves_the_old_file(void **state)
 	site_free(site);
 }
 
+/* n runs, each at a speed of its own, with the sieves of the rows. */
+static struct site *
+site_of_runs(size_t n, bool individual_feeds)
+{
+	struct site *site = site_new(n), *one = accept(TOP ROWS);
+	const struct psd *coarse = &one->run[0].feed;
+	for (size_t r = 0; r < n; r++) {
+		site->run[r].speed = 60 + 0.01 * (double)r;
+		site->run[r].feed = psd_copy(coarse);
+		site->run[r].product = psd_copy(coarse);
+		site->run[r].product.passing[1] *= 0.9 + 1e-5 * (double)r;
+	}
+	site->individual_feeds = individual_feeds;
+	site_update_digest_and_mean_feed(site);
+	site_free(one);
+	return site;
+}
+
+/* Speeds of which each is that of its neighbours, but not the first that of the
+ * last, make a run for each product. */
+static void
+speeds_close_in_a_row_make_a_run_each(void **state)
+{
+	(void)state;
+	enum { N = 12 };
+	char *text = xstrdup("top_size_mm,8\nsize_mm,feed");
+	for (int i = 0; i < N; i++)
+		xappend(&text, ",product@60.%03d", i);
+	for (int mm = 8; mm >= 4; mm -= 4) {
+		xappend(&text, "\n%d,%d", mm, mm == 8 ? 100 : 60);
+		for (int i = 0; i < N; i++)
+			xappend(&text, ",%d", mm == 8 ? 100 : 70 + i);
+	}
+	struct site *site = accept(text);
+	assert_int_equal(site->n_run, N);
+	site_free(site);
+	free(text);
+}
+
+/* What can be written can be read: 4000 columns, that of the sizes included. */
+static void
+a_site_of_many_runs_reads_back_or_is_not_written(void **state)
+{
+	char *path = xasprintf("%s/many.csv", (char *)*state);
+	static const struct {
+		size_t runs;
+		bool individual_feeds, written;
+	} sites[] = {{300, false, true}, {3998, false, true},
+	    {3999, false, false}, {1999, true, true}, {2000, true, false}};
+	for (size_t i = 0; i < ARRAY_LEN(sites); i++) {
+		size_t rows;
+		struct error error = {0};
+		struct error_list errors = {0};
+		struct site *site =
+		    site_of_runs(sites[i].runs, sites[i].individual_feeds);
+		bool written = site_save(site, path, &rows, &error);
+		assert_int_equal(written, sites[i].written);
+		if (written) {
+			struct site *again = site_read(path, &errors);
+			assert_non_null(again);
+			assert_int_equal(again->n_run, sites[i].runs);
+			assert_int_equal(
+			    again->individual_feeds, sites[i].individual_feeds);
+			site_free(again);
+			unlink(path);
+		} else
+			assert_non_null(
+			    strstr(error.text, "at most 4000 columns"));
+		site_free(site);
+	}
+	free(path);
+}
+
 /* A feed alone serves a guess; it reads back as it was. */
 static void
 a_feed_needs_no_product(void **state)
@@ -335,6 +408,10 @@ main(void)
 	    cmocka_unit_test_setup_teardown(
 		a_save_that_fails_leaves_the_old_file, make_folder,
 		drop_folder),
+	    cmocka_unit_test_setup_teardown(
+		a_site_of_many_runs_reads_back_or_is_not_written, make_folder,
+		drop_folder),
+	    cmocka_unit_test(speeds_close_in_a_row_make_a_run_each),
 	    cmocka_unit_test(a_feed_needs_no_product),
 	    cmocka_unit_test(own_results_are_no_sheet),
 	};

@@ -591,10 +591,29 @@ value_parse(const struct command_option *option, const char *word,
 	}
 }
 
-static void
-error_unknown_option(
-    const struct command *command, const char *name, struct error *error)
+/* True if "set NAME" sets what the command, "set" or "set seed", does not. */
+static bool
+is_set_by_other_command(const struct command *command, const char *name)
 {
+	const char *shown = command_shown_name(command);
+	FREED char *other = xasprintf("set %s", name);
+	return strcspn(shown, " ") == 3 && strncmp(shown, "set", 3) == 0 &&
+	       (command_find(other) != NULL ||
+		   command_option_index(command_find("set"), name) < OPTIONS);
+}
+
+/* value: that of the option. */
+static void
+error_unknown_option(const struct command *command, const char *name,
+    const char *value, struct error *error)
+{
+	if (is_set_by_other_command(command, name)) {
+		error_set(error, ERROR_USAGE,
+		    "expected '%s' in a command of its own, got it in '%s'\n"
+		    "write: set %s %s",
+		    name, command_shown_name(command), name, value);
+		return;
+	}
 	error_set(
 	    error, ERROR_USAGE, "%s has no option '%s'", command->name, name);
 	const struct command_option *o;
@@ -612,12 +631,12 @@ error_unknown_option(
 /* Returns the index of an option; OPTIONS, with an error, if there is no such
  * option or it was given before. */
 static size_t
-find_option_refuse_repeated(
-    const struct args *args, const char *name, struct error *error)
+find_option_refuse_repeated(const struct args *args, const char *name,
+    const char *value, struct error *error)
 {
 	size_t i = command_option_index(args->command, name);
 	if (i == OPTIONS)
-		error_unknown_option(args->command, name, error);
+		error_unknown_option(args->command, name, value, error);
 	else if (args->value[i].given)
 		error_set(error, ERROR_USAGE,
 		    "%s is given twice\n"
@@ -652,7 +671,7 @@ parse_one_command_argument(
 	size_t i = OPTIONS;
 	if (is_key && command_option_at(command, 0) != NULL) {
 		FREED char *name = xstrndup(word, key);
-		i = find_option_refuse_repeated(args, name, error);
+		i = find_option_refuse_repeated(args, name, equals + 1, error);
 		if (i == OPTIONS)
 			return false;
 		word = equals + 1;
@@ -684,7 +703,7 @@ static bool
 parse_option_as_two_words(
     const char *name, const char *word, struct args *args, struct error *error)
 {
-	size_t i = find_option_refuse_repeated(args, name, error);
+	size_t i = find_option_refuse_repeated(args, name, word, error);
 	return i < OPTIONS && parse_option_value(i, word, args, error);
 }
 

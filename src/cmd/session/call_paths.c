@@ -51,6 +51,12 @@ is_path_operand(const struct args *args, const char *word)
 	       standards_is_file_path(word);
 }
 
+static bool
+is_goal_setting(const struct command_option *o)
+{
+	return o->kind == VALUE_TEXT && strcmp(o->name, "goal") == 0;
+}
+
 const char *
 call_path_in_word(const struct args *args, const char *word,
     const struct command_option **option)
@@ -61,15 +67,60 @@ call_path_in_word(const struct args *args, const char *word,
 		return is_path_operand(args, word) ? word : NULL;
 	const char *value = args->value[k].text;
 	bool path =
+	    is_goal_setting(*option) ||
 	    value_is_file(*option, &args->value[k]) ||
 	    ((*option)->kind == VALUE_SPEC && standards_is_file_path(value));
 	return path ? value : NULL;
 }
 
-char *
-call_paths_map(const char *paths,
+/* Returns the length of the first part of a goal: a condition, in which a comma
+ * between digits is a decimal comma, or an envelope. */
+static size_t
+length_of_goal_part(const char *goal)
+{
+	size_t n = strcspn(goal, ",;");
+	while (n > 0 && goal[n] == ',' && isdigit((unsigned char)goal[n - 1]) &&
+	       isdigit((unsigned char)goal[n + 1]))
+		n += 1 + strcspn(goal + n + 1, ",;");
+	return n;
+}
+
+/* As call_paths_map, with the files of envelopes in a goal, which may be the
+ * name of one file. */
+static char *
+map_paths_of_goal(const char *goal,
     char *(*map)(const char *path, const void *of), const void *of)
 {
+	char *file = map(goal, of);
+	if (access(goal, F_OK) == 0 || access(file, F_OK) == 0)
+		return file;
+	free(file);
+	char *whole = xstrdup("");
+	for (const char *at = goal; *at != '\0';) {
+		size_t n = length_of_goal_part(at);
+		FREED char *copy = xstrndup(at, n);
+		const char *part = text_trim(copy);
+		FREED char *path = map(part, of);
+		bool condition =
+		    n < strlen(goal) && strpbrk(part, "<>=%") != NULL;
+		if (!condition &&
+		    (standards_is_file_path(part) || access(path, F_OK) == 0))
+			xappend(&whole, "%s", path);
+		else
+			xappend(&whole, "%.*s", (int)n, at);
+		if (at[n] != '\0')
+			xappend(&whole, "%c", at[n++]);
+		at += n;
+	}
+	return whole;
+}
+
+char *
+call_paths_map(const struct command_option *option, const char *paths,
+    char *(*map)(const char *path, const void *of), const void *of)
+{
+	if (option != NULL && is_goal_setting(option))
+		return map_paths_of_goal(paths, map, of);
 	char *whole = xstrdup("");
 	for (const char *at = paths, *next; at != NULL; at = next) {
 		size_t length;
@@ -156,7 +207,7 @@ call_paths_find_in_folder(const struct session *s, const struct args *args,
 		if (path == NULL || is_word_written(args, o))
 			continue;
 		FREED char *found =
-		    call_paths_map(path, path_beside_script, &script);
+		    call_paths_map(o, path, path_beside_script, &script);
 		if (strcmp(found, path) == 0)
 			continue;
 		words->text[i] =

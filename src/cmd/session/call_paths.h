@@ -10,7 +10,8 @@
 #include "cmd/session/session.h"
 
 /* Returns the path in a word of the call, which is the word itself or the value
- * of an option, or NULL if it has none.  *option: the option, or NULL. */
+ * of an option, or NULL if it has none.  A goal, a blend of feeds and a feed
+ * with its speed count as paths.  *option: the option, or NULL. */
 const char *call_path_in_word(const struct args *args, const char *word,
     const struct command_option **option);
 
@@ -18,9 +19,9 @@ const char *call_path_in_word(const struct args *args, const char *word,
  * is a file or folder, else 0. */
 size_t call_path_length_of_file(const char *path);
 
-/* Returns a path, or each path of a blend of feeds, as map returns it.  The
- * caller frees it. */
-char *call_paths_map(const char *paths,
+/* Returns what call_path_in_word returned with each path in it as map returns
+ * it.  The caller frees it. */
+char *call_paths_map(const struct command_option *option, const char *paths,
     char *(*map)(const char *path, const void *of), const void *of);
 
 /* In a line of a script in `folder`, replaces the relative names of files that

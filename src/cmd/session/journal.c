@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/session/journal.h"
 
-#include <ctype.h>
 #include <inttypes.h>
 #include <limits.h>
 #include <stdarg.h>
@@ -15,7 +14,6 @@
 #include "cmd/session/call_paths.h"
 #include "cmd/session/settings.h"
 #include "io/fs/file.h"
-#include "io/formats/standards.h"
 
 struct journal {
 	size_t n, start;
@@ -220,56 +218,15 @@ absolute_path(const char *path, const void *unused)
 	    rooted ? "" : "/", path);
 }
 
-/* Appends a path, or each path of a blend of feeds, as option `key` unless that
- * is NULL. */
+/* Appends a path, or the paths in the value of an option, unless o is NULL.
+ * key: with the option's name. */
 static void
-append_option_with_paths(char **line, const char *key, const char *path)
+append_paths(
+    char **line, const struct command_option *o, bool key, const char *path)
 {
-	FREED char *paths = call_paths_map(path, absolute_path, NULL);
+	FREED char *paths = call_paths_map(o, path, absolute_path, NULL);
 	FREED char *whole =
-	    key != NULL ? xasprintf("%s=%s", key, paths) : xstrdup(paths);
-	journal_append_quoted_word(line, whole);
-}
-
-/* Returns the length of the first part of a goal: a condition, in which a comma
- * between digits is a decimal comma, or an envelope.  The name of a file is one
- * part. */
-static size_t
-length_of_goal_part(const char *goal)
-{
-	if (access(goal, F_OK) == 0)
-		return strlen(goal);
-	size_t n = strcspn(goal, ",;");
-	while (n > 0 && goal[n] == ',' && isdigit((unsigned char)goal[n - 1]) &&
-	       isdigit((unsigned char)goal[n + 1]))
-		n += 1 + strcspn(goal + n + 1, ",;");
-	return n;
-}
-
-/* Appends the word of a goal, "goal=TEXT" or just its text, with the files of
- * envelopes as absolute paths. */
-static void
-append_goal_setting(char **line, const char *word)
-{
-	static const char KEY[] = "goal=";
-	bool named = strncmp(word, KEY, sizeof KEY - 1) == 0;
-	FREED char *whole = xstrdup(named ? KEY : "");
-	const char *goal = word + strlen(whole);
-	for (const char *at = goal; *at != '\0';) {
-		size_t n = length_of_goal_part(at);
-		FREED char *copy = xstrndup(at, n);
-		const char *part = text_trim(copy);
-		bool condition =
-		    n < strlen(goal) && strpbrk(part, "<>=%") != NULL;
-		if (!condition && standards_is_file_path(part)) {
-			FREED char *path = absolute_path(part, NULL);
-			xappend(&whole, "%s", path + (*path == PATH_BEGINS));
-		} else
-			xappend(&whole, "%.*s", (int)n, at);
-		if (at[n] != '\0')
-			xappend(&whole, "%c", at[n++]);
-		at += n;
-	}
+	    key ? xasprintf("%s=%s", o->name, paths) : xstrdup(paths);
 	journal_append_quoted_word(line, whole);
 }
 
@@ -279,7 +236,7 @@ journal_add_file_check(
 {
 	struct journal *j = s->journal;
 	char *line = xstrdup("assert");
-	append_option_with_paths(&line, NULL, path);
+	append_paths(&line, NULL, false, path);
 	xappend(&line, " is %016" PRIx64, digest);
 	remove_last_line_if_call(j, latest);
 	bool known = false;
@@ -299,12 +256,6 @@ is_option_not_saved(const struct command_option *o)
 	return strcmp(o->name, "pause") == 0 || strcmp(o->name, "out") == 0;
 }
 
-static bool
-is_goal_setting(const struct command_option *o)
-{
-	return o->kind == VALUE_TEXT && strcmp(o->name, "goal") == 0;
-}
-
 char *
 journal_saved_command_text(const struct args *args, const struct words *words)
 {
@@ -315,13 +266,8 @@ journal_saved_command_text(const struct args *args, const struct words *words)
 		const char *path = call_path_in_word(args, word, &o);
 		if (o != NULL && is_option_not_saved(o))
 			continue;
-		if (o != NULL && is_goal_setting(o)) {
-			append_goal_setting(&line, word);
-			continue;
-		}
 		if (path != NULL)
-			append_option_with_paths(
-			    &line, path != word ? o->name : NULL, path);
+			append_paths(&line, o, path != word, path);
 		else
 			journal_append_quoted_word(&line, word);
 	}
@@ -339,7 +285,7 @@ journal_load_command_text(
 			? xasprintf("%s@%s", path[i],
 			      text_shortest_exact_number(speed[i], number))
 			: xstrdup(path[i]);
-		append_option_with_paths(&line, NULL, word);
+		append_paths(&line, NULL, false, word);
 	}
 	xappend(&line, " digest=%016" PRIx64, digest);
 	return line;
@@ -409,7 +355,7 @@ write_journal_line(const char *line, const char *folder, FILE *out)
 			continue;
 		p += n + 1;
 		/* A bare word may have another meaning than a file. */
-		size_t name = strcspn(p + 1, " \"+*@=");
+		size_t name = strcspn(p + 1, " \"+*@=,;");
 		if (memchr(p + 1, '.', name) == NULL &&
 		    memchr(p + 1, '/', name) == NULL)
 			fputs("./", out);

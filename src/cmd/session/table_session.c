@@ -35,8 +35,8 @@ const struct command TABLE_SESSION[] = {
 	    "anywhere, as long as it finds the site files and the store has "
 	    "the recalled materials: a site file or a material with other "
 	    "numbers is refused. Files in the folder of the script, or below "
-	    "it, are named relative to it (but not those of a goal), so that "
-	    "the folder can be moved or given away. Results are saved "
+	    "it, are named relative to it, so that the folder can be moved or "
+	    "given away. Results are saved "
 	    "with > FILE after a command, not with save. A name without an "
 	    "ending gets .tip. A file that this session was saved to before "
 	    "is saved again without replace=on.",

@@ -28,20 +28,21 @@
 enum { MOST_ROUNDS = 5 };
 
 /* A request to read files, with the files and the user's answers, which it
- * owns. */
+ * owns.  rpm: the speed after the name of a file with a feed, if it is in rpm,
+ * or 0. */
 struct load {
 	struct site_request request;
 	char **path;
-	double *speed;
+	double *speed, rpm;
 	struct user_answers said;
 	const char *digest;
 };
 
 /* Splits "cut1.csv@70" into file and speed, unless there is a file with that
- * whole name. */
+ * whole name.  rpm: gets a speed in rpm; NULL if it has to be in m/s. */
 static bool
-split_file_and_speed(
-    const char *word, char **path, double *speed, struct error *error)
+split_file_and_speed(const char *word, char **path, double *speed, double *rpm,
+    struct error *error)
 {
 	const char *at = strrchr(word, '@');
 	*speed = 0;
@@ -53,6 +54,10 @@ split_file_and_speed(
 	char **copy = path;
 	(*copy)[at - word] = '\0';
 	*speed = head.speed;
+	if (rpm != NULL && head.rpm > 0 && !head.several) {
+		*rpm = head.rpm;
+		return true;
+	}
 	if (head.speed > 0 && head.speed <= SITE_FASTEST && !head.several)
 		return true;
 	return error_set(error, ERROR_USAGE,
@@ -98,7 +103,8 @@ load_add_file(struct load *l, const char *word, struct error *error)
 {
 	char *path;
 	double speed;
-	bool good = split_file_and_speed(word, &path, &speed, error);
+	bool good = split_file_and_speed(
+	    word, &path, &speed, l->request.feed ? &l->rpm : NULL, error);
 	load_add_path(l, path, speed);
 	if (!good || !text_ends_with(path, ".tip"))
 		return good;
@@ -623,6 +629,22 @@ find_run_with_feed(const struct site *site, const char *word, double speed,
 	return false;
 }
 
+/* Converts the speed of a feed from rpm, with the rotor of its sheet. */
+static bool
+convert_feed_speed_from_rpm(const struct site *site, double rpm,
+    const char *word, double *speed, struct error *error)
+{
+	if (rpm > 0 && !(site->rotor > 0))
+		return error_set(error, ERROR_USAGE,
+		    "expected a tip speed in m/s after @, got '%s', whose "
+		    "rotor is not known\n"
+		    "write m/s, or a line rotor_mm,DIAMETER in the sheet",
+		    word);
+	if (rpm > 0)
+		*speed = site_speed_from_rpm(site, rpm, site->rotor);
+	return true;
+}
+
 struct site *
 load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 {
@@ -636,7 +658,8 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 		site = read_site_or_ask_user(s, &l, error);
 	}
 	if (site != NULL &&
-	    !find_run_with_feed(site, word, speed, run, error)) {
+	    (!convert_feed_speed_from_rpm(site, l.rpm, word, &speed, error) ||
+		!find_run_with_feed(site, word, speed, run, error))) {
 		site_free(site);
 		site = NULL;
 	}

@@ -117,8 +117,8 @@ sheets_put_cell(struct sheets *g, struct cell cell)
 		if (g->bytes > MOST_BYTES)
 			g->too_big = tr("more than 10 MB of text");
 		else if (!sheet_has_room_for_cell(g->now, cell))
-			g->too_big = cell.column > 256
-					 ? tr("more than 256 columns")
+			g->too_big = (size_t)cell.column > g->now->most.columns
+					 ? tr("too many columns")
 					 : tr("too many rows or cells");
 	}
 	if (!filled || g->too_big != NULL)

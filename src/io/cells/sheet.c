@@ -18,7 +18,7 @@
 /* A sheet has a few kB.  The limits keep time and memory small if the file is
  * something else. */
 enum {
-	MOST_CELLS = 256,
+	MOST_COLUMNS = 256,
 	MOST_LINE = 20000,
 	SHOWN = 40 /* bytes of a cell quoted in a message */
 };
@@ -216,7 +216,7 @@ static bool
 split_line_into_cells(struct sheet *sheet, const char *text, struct row *row)
 {
 	struct cursor c = {text, 1};
-	while (row->n_all < MOST_CELLS) {
+	while (row->n_all < sheet->most.columns) {
 		sheet_skip_spaces_and_tabs(&c, sheet->separator);
 		struct cursor from = c;
 		if (!skip_to_end_of_cell(sheet, &c, row->line))
@@ -229,9 +229,9 @@ split_line_into_cells(struct sheet *sheet, const char *text, struct row *row)
 	}
 	struct cell end = {.line = row->line, .column = c.column};
 	return sheet_report_fault(sheet, end,
-	    "more than %d cells in a line\n"
+	    "more than %zu cells in a line\n"
 	    "a site file has a few columns: is this the right file?",
-	    MOST_CELLS);
+	    sheet->most.columns);
 }
 
 static void
@@ -242,25 +242,18 @@ free_row_cells(struct row *row)
 	free(row->cell);
 }
 
-static size_t
-cell_limit_of_sheet(const struct sheet *sheet)
-{
-	return sheet->most.cells > 0 ? sheet->most.cells
-				     : sheet->most.rows * MOST_CELLS;
-}
-
 /* Adds a row, unless it is empty.  Returns false, with a fault, if the file is
  * too large for a sheet. */
 static bool
 sheet_add_row(struct sheet *sheet, const char *line, int number)
 {
 	struct cell start = {.line = number, .column = 1};
-	if (strlen(line) > sheet->most_line ||
+	if (strlen(line) > sheet->most.bytes ||
 	    sheet->n_row == sheet->most.rows) {
 		sheet_report_fault(sheet, start,
 		    "more than %zu lines, or %zu bytes in a line\n"
 		    "a site file has a few kB: is this the right file?",
-		    sheet->most.rows, sheet->most_line);
+		    sheet->most.rows, sheet->most.bytes);
 		sheet->lost = sheet->too_large = true;
 		return false;
 	}
@@ -275,12 +268,12 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 	}
 	sheet->n_row++;
 	sheet->wide = row->n_all > sheet->wide ? row->n_all : sheet->wide;
-	if (sheet->n_row <= cell_limit_of_sheet(sheet) / sheet->wide)
+	if (sheet->n_row <= sheet->most.cells / sheet->wide)
 		return true;
 	sheet_report_fault(sheet, start,
 	    "expected at most %zu cells, got %zu lines of up to %zu\n"
 	    "a site file has a few kB: is this the right file?",
-	    cell_limit_of_sheet(sheet), sheet->n_row, sheet->wide);
+	    sheet->most.cells, sheet->n_row, sheet->wide);
 	sheet->lost = sheet->too_large = true;
 	return false;
 }
@@ -448,20 +441,22 @@ find_cell_separator(const char *text, struct error_list *errors)
 	return SIGNS[best];
 }
 
-static struct sheet *
-sheet_new_with_line_limit(const char *path, char *text,
-    struct sheet_limits most, size_t most_line, struct error_list *errors)
+struct sheet *
+sheet_new_empty(const char *path, const char *name, struct sheet_limits most,
+    struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
+	if (most.columns == 0)
+		most.columns = MOST_COLUMNS;
+	if (most.cells == 0)
+		most.cells = most.rows * most.columns;
+	if (most.bytes == 0)
+		most.bytes = MOST_LINE;
 	sheet->path = xstrdup(path);
-	sheet->name = xstrdup("");
+	sheet->name = xstrdup(name);
 	sheet->errors = errors;
 	sheet->most = most;
-	sheet->most_line = most_line;
-	sheet->separator = fixed_width_convert_to_tabs(text)
-			       ? '\t'
-			       : find_cell_separator(text, errors);
-	add_text_lines_to_sheet(sheet, text);
+	sheet->separator = '\t';
 	return sheet;
 }
 
@@ -469,7 +464,12 @@ struct sheet *
 sheet_new_from_text(const char *path, char *text, struct sheet_limits most,
     struct error_list *errors)
 {
-	return sheet_new_with_line_limit(path, text, most, MOST_LINE, errors);
+	struct sheet *sheet = sheet_new_empty(path, "", most, errors);
+	sheet->separator = fixed_width_convert_to_tabs(text)
+			       ? '\t'
+			       : find_cell_separator(text, errors);
+	add_text_lines_to_sheet(sheet, text);
+	return sheet;
 }
 
 struct sheet *
@@ -479,21 +479,8 @@ sheet_new_without_line_limit(
 	size_t lines = 1, length = strlen(text);
 	for (const char *p = text; *p != '\0'; p++)
 		lines += *p == '\n' || *p == '\r';
-	struct sheet_limits most = {.rows = lines};
-	return sheet_new_with_line_limit(path, text, most, length, errors);
-}
-
-struct sheet *
-sheet_new_empty(const char *path, const char *name, struct sheet_limits most,
-    struct error_list *errors)
-{
-	struct sheet *sheet = xcalloc(1, sizeof *sheet);
-	sheet->path = xstrdup(path);
-	sheet->name = xstrdup(name);
-	sheet->errors = errors;
-	sheet->most = most;
-	sheet->separator = '\t';
-	return sheet;
+	struct sheet_limits most = {.rows = lines, .bytes = length};
+	return sheet_new_from_text(path, text, most, errors);
 }
 
 /* Returns the number of rows up to and including line `line`. */
@@ -521,8 +508,8 @@ sheet_has_room_for_cell(const struct sheet *sheet, struct cell cell)
 	bool has_row = n > 0 && sheet->row[n - 1].line == cell.line;
 	size_t rows = sheet->n_row + !has_row, wide = (size_t)cell.column;
 	wide = wide > sheet->wide ? wide : sheet->wide;
-	return wide <= MOST_CELLS && rows <= sheet->most.rows &&
-	       rows <= cell_limit_of_sheet(sheet) / wide;
+	return wide <= sheet->most.columns && rows <= sheet->most.rows &&
+	       rows <= sheet->most.cells / wide;
 }
 
 /* Returns the row of a line; inserts one if there is none. */

@@ -58,10 +58,11 @@ struct comment {
 	struct row row; /* in a workbook */
 };
 
-/* rows: the most rows.  cells: the most cells, counting each row as long as the
- * longest; 0 allows 256 for each of `rows`. */
+/* The most rows, columns, cells (counting each row as long as the longest) and
+ * bytes in a line of text; 0 stands for 256 columns, rows * columns cells and
+ * 20000 bytes. */
 struct sheet_limits {
-	size_t rows, cells;
+	size_t rows, columns, cells, bytes;
 };
 
 /* A sheet.  Blank lines are not in row[]; lines that start with # are in
@@ -79,7 +80,7 @@ struct sheet {
 	struct cell open;
 	bool lost, too_large;
 	struct sheet_limits most;
-	size_t n_row, most_line, n_fault;
+	size_t n_row, n_fault;
 	size_t wide; /* the number of cells in the longest row */
 	struct row *row;
 	size_t n_comment;
@@ -88,10 +89,9 @@ struct sheet {
 };
 
 /* Splits a UTF-8 text with LF, CRLF or CR line ends into cells, within the
- * limits and with at most 256 cells per line.  The text is modified and must
- * outlive the sheet.  Faults are added to errors (never NULL): a line with
- * wrong quotes is skipped; a line beyond the limits is reported, and the rest
- * of the file is not read. */
+ * limits.  The text is modified and must outlive the sheet.  Faults are added
+ * to errors (never NULL): a line with wrong quotes is skipped; a line beyond
+ * the limits is reported, and the rest of the file is not read. */
 struct sheet *sheet_new_from_text(const char *path, char *text,
     struct sheet_limits most, struct error_list *errors);
 void sheet_free(struct sheet *sheet);

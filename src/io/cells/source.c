@@ -17,7 +17,8 @@
 
 /* A sieve sheet has some dozen lines; a long table has some dozen for each
  * sample, and a log one for each minute of several months. */
-static const struct sheet_limits SITE = {20000, SOURCE_MOST_CELLS},
+static const struct sheet_limits SITE = {20000, SOURCE_MOST_COLUMNS,
+				     SOURCE_MOST_CELLS, 200000},
 				 LOG = {.rows = 200000};
 
 static const char OLE[] = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";

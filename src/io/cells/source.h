@@ -14,9 +14,10 @@ struct source {
 	char *note, *text;
 };
 
-/* The size of the largest sheet that source_read_sheets accepts, as member
- * cells of struct sheet_limits. */
-enum { SOURCE_MOST_CELLS = 2000 * 256 };
+/* The size of the largest sheet that source_read_sheets accepts, as members of
+ * struct sheet_limits.  A site has a column for each sample, and each is
+ * compared with all others. */
+enum { SOURCE_MOST_COLUMNS = 4000, SOURCE_MOST_CELLS = 2000 * 256 };
 
 /* Reads a file.  Faults are added to errors, to which the sheets keep a pointer
  * and may add later.  Returns false after a fault that leaves nothing to read.

@@ -1217,6 +1217,23 @@ guess_feed_column(struct columns *all, size_t feeds)
 		only->open = true;
 }
 
+/* Numbers a column among those of its role and speed.  A speed within 1e-3 m/s
+ * of that of a column before becomes equal to it, so that of three speeds in a
+ * row the first and the last do not count as one and as two. */
+static void
+number_column_of_speed(struct columns *all, size_t i)
+{
+	struct column *c = &all->column[i];
+	c->nth = 0;
+	for (size_t k = 0; k < i; k++) {
+		const struct column *before = &all->column[k];
+		if (fabs(before->speed - c->speed) > 1e-3)
+			continue;
+		c->speed = before->speed;
+		c->nth += before->role == c->role;
+	}
+}
+
 void
 classify_columns_together(
     struct columns *all, struct site *site, bool told, bool *wants_rotor)
@@ -1256,10 +1273,7 @@ classify_columns_together(
 		c->open = c->open || c->role == NO_ROLE ||
 			  (c->role == PRODUCT && !(c->speed > 0)) ||
 			  (c->role == SD && !(c->speed > 0));
-		c->nth = 0;
-		for (size_t k = 0; k < i; k++)
-			c->nth += all->column[k].role == c->role &&
-				  fabs(all->column[k].speed - c->speed) < 1e-3;
+		number_column_of_speed(all, i);
 	}
 }
 

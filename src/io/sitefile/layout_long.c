@@ -22,10 +22,6 @@
  * they are the measured numbers. */
 enum use { UNUSED, KEY, COUNT, VALUE };
 
-/* Limit of the wide table, as each of its columns is compared with all
- * others. */
-enum { MOST_COLUMNS = 4000 };
-
 /* A row of the long table.  mm: its sieve; size: the index of that sieve among
  * the different ones; lead: the first row of its sample; column: in such a
  * first row, the column of the sample in the wide table. */
@@ -284,7 +280,9 @@ has_table_room_for_samples(const struct longer *l)
 {
 	const struct table *t = l->table;
 	size_t most = SOURCE_MOST_CELLS / l->n_size;
-	most = (most < MOST_COLUMNS ? most : MOST_COLUMNS) / l->n_value;
+	if (most > SOURCE_MOST_COLUMNS)
+		most = SOURCE_MOST_COLUMNS;
+	most /= l->n_value;
 	return l->n_sample <= most ||
 	       sheet_report_fault(t->sheet, t->row[0].cell[0],
 		   "expected a long table of at most %zu samples, got %zu with "

@@ -8,8 +8,12 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/cells/source.h"
 #include "io/fs/file.h"
 #include "io/sitefile/units.h"
+
+/* The most lines above the sizes, without the notes. */
+enum { LINES_ABOVE = 8 };
 
 /* A curve to write, and the first of its sieves that is not yet written. */
 struct curve {
@@ -111,12 +115,13 @@ has_feed_per_run(const struct site *site)
 	return own;
 }
 
-/* Lists the columns in order and returns their number.  `curve` has room for
- * three per run and one more. */
-static size_t
-list_curves_to_write(const struct site *site, struct curve *curve)
+/* Lists the columns after that of the sizes in order, and their number.  The
+ * caller frees the list. */
+static struct curve *
+list_curves_to_write(const struct site *site, size_t *columns)
 {
 	bool own = has_feed_per_run(site);
+	struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
@@ -134,7 +139,8 @@ list_curves_to_write(const struct site *site, struct curve *curve)
 			curve[n++] = (struct curve){"sd", run->speed, false,
 			    product, run->product_sd, 0};
 	}
-	return n;
+	*columns = n;
+	return curve;
 }
 
 /* Returns the coarsest sieve, mm, that is not yet written, or 0. */
@@ -178,8 +184,8 @@ size_t
 site_write(const struct site *site, FILE *out)
 {
 	char number[32];
-	FREED struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
-	size_t n = list_curves_to_write(site, curve);
+	size_t n;
+	FREED struct curve *curve = list_curves_to_write(site, &n);
 	write_site_keys_above_table(site, out);
 	fputs("size_mm", out);
 	for (size_t i = 0; i < n; i++) {
@@ -205,5 +211,15 @@ site_save(const struct site *site, const char *path, size_t *rows,
 	FILE *memory = text_open_memory(&text, &n);
 	*rows = site_write(site, memory);
 	fclose(memory);
+	size_t columns, cells;
+	free(list_curves_to_write(site, &columns));
+	cells = ++columns * (*rows + LINES_ABOVE + site->n_note);
+	if (columns > SOURCE_MOST_COLUMNS || cells > SOURCE_MOST_CELLS)
+		return error_set(error, ERROR_USAGE,
+		    "cannot write %zu columns and %zu rows: a site file has at "
+		    "most %d columns and %d cells\n"
+		    "load a part of the samples, and write that: load FILE "
+		    "range=A1:F500",
+		    columns, *rows, SOURCE_MOST_COLUMNS, SOURCE_MOST_CELLS);
 	return file_replace_contents(path, FILE_SHARED, text, n, error);
 }
