@@ -95,7 +95,7 @@ site_chart_close_band_at_gaps(struct chart_series *s)
 {
 	bool band = false;
 	for (size_t k = 0; k < s->n; k++) {
-		band = band || isfinite(s->low[k]);
+		band = band || isfinite(s->low[k]) || isfinite(s->high[k]);
 		s->low[k] = isnan(s->low[k]) ? s->y[k] : s->low[k];
 		s->high[k] = isnan(s->high[k]) ? s->y[k] : s->high[k];
 	}
