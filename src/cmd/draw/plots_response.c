@@ -22,7 +22,6 @@
 #include "cmd/draw/site_chart.h"
 #include "core/psd/rotor_speed.h"
 #include "core/answer/predict.h"
-#include "io/sitefile/units.h"
 
 /* The quantities [n] to draw, the limits on them, and the range of speeds, m/s.
  * Quantities that name no fraction have that of the question.  moved: the most

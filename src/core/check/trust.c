@@ -5,13 +5,11 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <gsl/gsl_statistics_double.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/numeric/elementary.h"
 #include "core/model/product.h"
 #include "core/model/selection.h"
 #include "core/psd/rotor_speed.h"
