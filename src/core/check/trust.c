@@ -691,10 +691,11 @@ trust_free(struct trust *t)
 }
 
 double
-trust_answer_change_per_param_sd(const struct posterior *p, struct ensemble *e,
-    size_t n, const char *parameter)
+trust_answer_change_per_param_sd(
+    const struct posterior *p, struct ensemble *e, const char *parameter)
 {
 	enum { N = POSTERIOR_DRAWS };
+	size_t n = ensemble_count_sieves(e);
 	double value[N], sum = 0;
 	for (size_t d = 0; d < N; d++)
 		value[d] = params_value_by_name(&p->draw[d].params, parameter);
