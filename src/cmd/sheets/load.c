@@ -18,6 +18,7 @@
 #include "cmd/session/invocation.h"
 #include "cmd/session/journal.h"
 #include "cmd/sheets/log.h"
+#include "cmd/lang/table.h"
 #include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"

@@ -166,8 +166,8 @@ find_worst_holdout(struct evidence *e, const struct site *site,
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (train[r] || misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
-		struct validation v = validate_run(
-		    site, r, train, &fit->params, fit->settings, NULL);
+		struct validation v =
+		    validate_run(site, r, train, &fit->params, fit->settings);
 		if (e->holdout.n_sieve == 0 ||
 		    v.rmse[VALIDATE_MODEL] > e->holdout.rmse[VALIDATE_MODEL])
 			e->holdout = v;
@@ -187,8 +187,8 @@ trust_find_outlier_cell(
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
-		struct validation v = validate_run(
-		    site, r, train, &fit->params, fit->settings, NULL);
+		struct validation v =
+		    validate_run(site, r, train, &fit->params, fit->settings);
 		if (fabs(v.worst_difference) >
 		    fmax(far_off, fabs(farthest.worst_difference)))
 			farthest = v;
