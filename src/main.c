@@ -201,13 +201,11 @@ run_scripts_and_commands(struct session *s, const struct command_line *in)
 	for (size_t i = 0; status == 0 && i < in->n_action && !s->quit; i++) {
 		const struct action *a = &in->action[i];
 		if (a->kind == 'f')
-			status =
-			    strcmp(a->value, "-") == 0
-				? batch_run_script_stream(s, stdin, "stdin")
-				: batch_run_script_file(s, a->value);
+			status = strcmp(a->value, "-") == 0
+				     ? batch_run_script_stream(s)
+				     : batch_run_script_file(s, a->value);
 		else
-			status = batch_run_script_text(
-			    s, a->value, "-c", ++commands);
+			status = batch_run_script_text(s, a->value, ++commands);
 	}
 	return status;
 }
@@ -233,7 +231,7 @@ main_run(
 		return repl_run(s);
 	if (isatty(STDIN_FILENO))
 		return batch_run_typed_lines(s);
-	return batch_run_script_stream(s, stdin, "stdin");
+	return batch_run_script_stream(s);
 }
 
 /* Returns the exit status after flushing standard output: a full disk or a

@@ -85,12 +85,10 @@ tr_n(const char *one, const char *several, unsigned long n)
 	return ngettext(one, several, n);
 }
 
-bool
+void
 tr_set_enabled(bool on)
 {
-	bool was = strcmp(textdomain(NULL), ON) == 0;
 	textdomain(on ? ON : OFF);
-	return was;
 }
 
 #else
@@ -114,10 +112,10 @@ tr_n(const char *one, const char *several, unsigned long n)
 	return n == 1 ? one : several;
 }
 
-bool
+void
 tr_set_enabled(bool on)
 {
-	return on;
+	(void)on;
 }
 
 #endif

@@ -23,8 +23,8 @@ const char *tr_n(const char *one, const char *several, unsigned long n)
     __attribute__((format_arg(1), format_arg(2)));
 
 /* Turns translation on or off, because results for programs are always in
- * English.  Returns the previous setting. */
-bool tr_set_enabled(bool on);
+ * English. */
+void tr_set_enabled(bool on);
 
 /* True for yes, or no, or its first letter, in English or in the language of
  * texts. */

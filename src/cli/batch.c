@@ -136,19 +136,18 @@ run_open_scripts(struct session *s, size_t depth)
 }
 
 int
-batch_run_script_stream(struct session *s, FILE *in, const char *name)
+batch_run_script_stream(struct session *s)
 {
 	size_t depth = s->scripts;
-	script_open_stream(s, in, name);
+	script_open_stream(s, stdin, "stdin");
 	return run_open_scripts(s, depth);
 }
 
 int
-batch_run_script_text(
-    struct session *s, const char *text, const char *name, int line)
+batch_run_script_text(struct session *s, const char *text, int line)
 {
 	size_t depth = s->scripts;
-	script_open_text(s, text, name, line);
+	script_open_text(s, text, "-c", line);
 	return run_open_scripts(s, depth);
 }
 

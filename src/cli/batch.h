@@ -8,11 +8,11 @@
 #include "cmd/session/session.h"
 #include "cli/pager.h"
 
-/* Run a script.  Return the exit status: 0, or that of the first error, which
- * ends the script and is printed to stderr with its line and a caret. */
-int batch_run_script_text(
-    struct session *s, const char *text, const char *name, int line);
-int batch_run_script_stream(struct session *s, FILE *in, const char *name);
+/* Run a script: that of option -c number `line`, standard input, or a file.
+ * Return the exit status: 0, or that of the first error, which ends the script
+ * and is printed to stderr with its line and a caret. */
+int batch_run_script_text(struct session *s, const char *text, int line);
+int batch_run_script_stream(struct session *s);
 int batch_run_script_file(struct session *s, const char *path);
 
 /* Tells the session that a user now types the lines: starts autosaving and

@@ -88,7 +88,7 @@ chart_append_series(struct chart *chart, struct chart_series look, size_t n,
 	return s;
 }
 
-struct chart_series *
+void
 chart_append_point_series(struct chart *chart, struct chart_series look,
     size_t n, const double *x, const double *y, const char *name)
 {
@@ -96,7 +96,6 @@ chart_append_point_series(struct chart *chart, struct chart_series look,
 	    chart_append_series(chart, look, n, "%s", name);
 	memcpy(s->x, x, n * sizeof *x);
 	memcpy(s->y, y, n * sizeof *y);
-	return s;
 }
 
 void

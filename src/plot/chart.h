@@ -124,9 +124,8 @@ struct chart_series *chart_append_series(struct chart *chart,
     __attribute__((format(printf, 4, 5)));
 
 /* As chart_append_series, but with the points x, y [n], which are copied. */
-struct chart_series *chart_append_point_series(struct chart *chart,
-    struct chart_series look, size_t n, const double *x, const double *y,
-    const char *name);
+void chart_append_point_series(struct chart *chart, struct chart_series look,
+    size_t n, const double *x, const double *y, const char *name);
 
 /* Moves the last series to the front, so that all others are drawn on top. */
 void chart_move_last_series_to_back(struct chart *chart);

@@ -19,7 +19,6 @@
 #include "cmd/session/script.h"
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
-#include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "core/psd/rotor_speed.h"
 #include "tui/widgets/response_strip.h"

@@ -202,7 +202,8 @@ site_calibration_status_text(struct tui *t, int columns)
 	return entry->has_fit
 		   ? xasprintf("%s%s",
 			 fit_has_too_few_data(&entry->fit) ? "" : tr("fit "),
-			 verdict_on_fit(s, entry, NULL))
+			 verdict_on_fit(
+			     entry, light_of_answer_or_fit(s, entry, NULL)))
 		   : xasprintf(
 			 tr("parameters %s"), origin_of_params_text(entry));
 }

@@ -374,7 +374,7 @@ pane_curves_plot_arguments(const struct tui *t)
 	return words;
 }
 
-int
+void
 pane_draw_text_lines(const struct area *area, int row, const char *text)
 {
 	for (unsigned look = LOOK_BOLD; *text != '\0' && row < area->rows;
@@ -384,7 +384,6 @@ pane_draw_text_lines(const struct area *area, int row, const char *text)
 		row = screen_draw_wrapped(area, row, look, line);
 		text += n + (text[n] == '\n');
 	}
-	return row;
 }
 
 size_t

@@ -118,9 +118,8 @@ int pane_draw_typed_line(const struct area *area, const char *prompt,
 int pane_draw_search_word(struct tui *t, const struct area *area,
     const char *word, const char *found, const char *keys);
 
-/* Draws lines of text from a row down, the first in bold.  Returns the row
- * after them. */
-int pane_draw_text_lines(const struct area *area, int row, const char *text);
+/* Draws lines of text from a row down, the first in bold. */
+void pane_draw_text_lines(const struct area *area, int row, const char *text);
 
 /* Returns an index in a list of n, moved by `by` and clamped. */
 size_t pane_move_index_clamped(size_t at, int by, size_t n);

@@ -76,7 +76,8 @@ report_fit_end(struct tui *t, bool alone)
 			     "generations; 1 shows the prediction")
 			: N_("calibrated: %s, RMSE %.2f points, %zu "
 			     "generations"),
-		    verdict_on_fit(t->session, entry, NULL),
+		    verdict_on_fit(
+			entry, light_of_answer_or_fit(t->session, entry, NULL)),
 		    100 * entry->fit.rmse, entry->fit.generations);
 }
 

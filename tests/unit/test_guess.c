@@ -111,8 +111,9 @@ one_material_gives_its_own_product(void **state)
 		assert_true(guess.low.passing[i] == p.product.passing[i]);
 		assert_true(guess.high.passing[i] == p.product.passing[i]);
 	}
-	assert_true(guess.p50.middle == p.p50 && guess.p50.low == p.p50);
-	assert_true(guess.break_size.high == p.break_size);
+	assert_true(
+	    guess.size[1].middle == p.p50 && guess.size[1].low == p.p50);
+	assert_true(guess.size[PSD_SIZES].high == p.break_size);
 	prediction_free(&p);
 	guess_free(&guess);
 	site_free(site);
@@ -151,8 +152,8 @@ the_median_lies_within_the_spread(void **state)
 			    "median", g.median.passing[s], middle, 1e-15);
 		}
 		assert_true(keeps_rules(&g.median));
-		assert_true(g.p50.low <= g.p50.middle);
-		assert_true(g.p50.middle <= g.p50.high);
+		assert_true(g.size[1].low <= g.size[1].middle);
+		assert_true(g.size[1].middle <= g.size[1].high);
 		for (size_t i = 0; i < n; i++)
 			prediction_free(&p[i]);
 		guess_free(&g);
@@ -174,8 +175,8 @@ sizes_below_the_sieves_are_told(void **state)
 	nearest(t, "Granite", 11.2, 3);
 	struct guess g =
 	    guess_psd_from_materials(site, 0, t->m, t->pick, 3, 79);
-	assert_true(isnan(g.p20.low) && isnan(g.p20.high));
-	assert_true(isfinite(g.p80.low) && isfinite(g.p80.high));
+	assert_true(isnan(g.size[0].low) && isnan(g.size[0].high));
+	assert_true(isfinite(g.size[2].low) && isfinite(g.size[2].high));
 	guess_free(&g);
 	site_free(site);
 }

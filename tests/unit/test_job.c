@@ -109,7 +109,7 @@ run_weights_pull_the_fit_to_a_run(void **state)
 	for (size_t i = 0; i < 2; i++) {
 		assert_true(desk_say(desk, lines[i]));
 		rmse[i] = validate_run(entry->site, 0, entry->train,
-		    &entry->params, model_settings_default(), NULL)
+		    &entry->params, model_settings_default())
 			      .rmse[VALIDATE_MODEL];
 	}
 	assert_true(rmse[0] < rmse[1]);
@@ -123,7 +123,7 @@ rmse_at(struct desk *desk, size_t run)
 {
 	const struct entry *entry = session_current_site_entry(desk->session);
 	return validate_run(entry->site, run, entry->train, &entry->params,
-	    model_settings_default(), NULL)
+	    model_settings_default())
 	    .rmse[VALIDATE_MODEL];
 }
 

@@ -195,7 +195,7 @@ a_fit_of_few_cells_is_not_judged(void **state)
 				     s, session_current_site_entry(s)) != NULL,
 		    n > 7);
 	}
-	assert_string_equal(verdict_on_fit(s, entry, NULL), "too few data");
+	assert_string_equal(verdict_on_fit(entry, LIGHT_GREEN), "too few data");
 	assert_false(desk_say(desk, "assert poor = 0"));
 	assert_int_equal(desk->error.kind, ERROR_CHECK);
 	desk_expect(desk, "bounds alpha 0.9; "

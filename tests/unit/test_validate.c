@@ -314,7 +314,7 @@ null_models_say_which_speeds_they_take(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
 		const struct run *run = &site->run[rows[i].run];
 		struct validation v = validate_run(site, rows[i].run,
-		    rows[i].train, &p, model_settings_default(), NULL);
+		    rows[i].train, &p, model_settings_default());
 		assert_true(v.line[0] == rows[i].line[0] &&
 			    v.line[1] == rows[i].line[1]);
 		assert_true(v.nearest == rows[i].nearest);
@@ -330,7 +330,7 @@ null_models_say_which_speeds_they_take(void **state)
 	}
 	const bool one[3] = {true, false, false};
 	struct validation v =
-	    validate_run(site, 1, one, &p, model_settings_default(), NULL);
+	    validate_run(site, 1, one, &p, model_settings_default());
 	assert_true(isnan(v.line[1]));
 	assert_true(isnan(v.rmse[VALIDATE_INTERPOLATION]));
 	assert_true(isnan(v.size[VALIDATE_INTERPOLATION][1]));
@@ -394,7 +394,7 @@ validation_is_the_plain_comparison(void **state)
 	p.f_mat = 1.2;
 	run->product.size[run->product.n - 1] = 45e-6;
 	struct validation v =
-	    validate_run(site, 1, train, &p, model_settings_default(), NULL);
+	    validate_run(site, 1, train, &p, model_settings_default());
 	size_t n = run->product.n - 1, worst = 0;
 	double exact[20], sum = 0, feed = 0, between = 0, most = 0;
 	naive_continuous(
@@ -422,7 +422,7 @@ validation_is_the_plain_comparison(void **state)
 	expect_near("worst", v.worst_difference,
 	    exact[worst] - run->product.passing[worst], 1e-5);
 	assert_true(validation_is_interpolation_better(&v) == (between < sum));
-	v = validate_run(site, 0, train, &p, model_settings_default(), NULL);
+	v = validate_run(site, 0, train, &p, model_settings_default());
 	assert_false(v.holdout || validation_is_interpolation_better(&v));
 	site_free(site);
 }
@@ -435,7 +435,7 @@ validation_compares_p20_p50_and_p80(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 8);
 	struct params p = made_params(&TABLE_3[TIERP]);
 	struct validation v =
-	    validate_run(site, 1, train, &p, model_settings_default(), NULL);
+	    validate_run(site, 1, train, &p, model_settings_default());
 	struct psd found = psd_copy(&site->run[1].product);
 	made_product(&site->run[1], &p, found.passing);
 	for (size_t i = 0; i < 3; i++) {

@@ -19,7 +19,6 @@
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/question.h"
-#include "cmd/ask/screened.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
 #include "io/cells/datetime.h"

@@ -141,17 +141,15 @@ note_effect_of_millimetres(struct answer *r, const struct equation_example *w)
 	    metres[0], speed[0], metres[1], speed[1], mm[0], mm[1]);
 }
 
-/* Returns the RMSE of the parameters, points, at one of the two runs or, if run
- * is n_run, at both. */
+/* Returns the RMSE of the parameters, points, at the two runs. */
 static double
-rmse_of_params_at_run(const struct equation_example *w,
-    struct model_settings settings, const struct params *p, size_t run)
+rmse_of_params_at_runs(
+    const struct equation_example *w, struct model_settings settings)
 {
 	FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
-	train[w->low] = run != w->high;
-	train[w->high] = run != w->low;
+	train[w->low] = train[w->high] = true;
 	struct misfit *m = misfit_new(w->site, train, NULL, false, settings);
-	double rmse = 100 * misfit_rmse(m, p);
+	double rmse = 100 * misfit_rmse(m, w->p);
 	misfit_free(m);
 	return rmse;
 }
@@ -179,9 +177,8 @@ note_effect_of_literal_appearance(
 		    100 * fabs(a.product.passing[i] - b.product.passing[i]));
 	prediction_free(&a);
 	prediction_free(&b);
-	double off = rmse_of_params_at_run(w, literal, w->p, w->site->n_run),
-	       used =
-		   rmse_of_params_at_run(w, w->settings, w->p, w->site->n_run);
+	double off = rmse_of_params_at_runs(w, literal),
+	       used = rmse_of_params_at_runs(w, w->settings);
 	fields_put_values(fields_add_object(answer_json_fields(r), "d3"),
 	    "beta_moves_pct %g literal_rmse_pct %g used_rmse_pct %g", most, off,
 	    used);

@@ -11,6 +11,7 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
 
@@ -107,15 +108,17 @@ cmd_figures(struct session *s, const struct args *args,
 	    all, q, n, v, false);
 	answer_begin_table_for_programs(r);
 	add_quantity_rows(r, NULL, all, q, n, v, true);
-	FREED char *sure =
-	    named && n == 1 ? predict_certainty_text(s, question, q, v) : NULL;
+	struct trust trust = trust_at_speed(s, entry, v, question->feed);
+	FREED char *sure = NULL;
+	if (named && n == 1)
+		sure = predict_certainty_text(s, question, q, v, trust.light);
 	if (named && n > 1)
 		note_ranges_of_new_cut(r, s, question, q, n);
 	if (sure != NULL) {
 		answer_note(r, "%s", sure);
 		band = predict_should_note_correction(s, entry);
 	}
-	answers_note_basis_and_trust_at_speed(s, r, question, v, band);
+	answers_note_basis_and_trust(s, r, question, v, band, trust);
 	forecast_close(all);
 	return session_show_answer(s, r);
 }

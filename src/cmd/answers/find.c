@@ -97,7 +97,7 @@ error_conditions_without_goal(const struct args *args,
 	    xstrndup(args->operand[0], strcspn(args->operand[0], "<>="));
 	for (size_t i = 0; i < args->n_operand; i++)
 		xappend(&all, " \"%s\"", args->operand[i]);
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    goal->others.n > 1
 		? N_("find: expected a goal, one value or max of a quantity, "
 		     "got only conditions\nfor the speeds at which these hold "
@@ -108,7 +108,6 @@ error_conditions_without_goal(const struct args *args,
 		     "write window%s; for the speed that gives most add \"max "
 		     "%s\""),
 	    all, text_trim(first));
-	return false;
 }
 
 /* Checks that there is exactly one goal and that it is complete. */
@@ -184,11 +183,12 @@ parse_goal(struct session *s, const struct args *args,
 	return conditions_add_envelope_option(s, args, q, &goal->others, error);
 }
 
-/* Returns a value of the target in the unit that people see. */
+/* Returns the value of the target in the unit that people see. */
 static double
-goal_value_in_shown_unit(const struct find_request *goal, double value)
+target_in_shown_unit(const struct find_request *goal)
 {
-	return quantities_value_in_shown_unit(&goal->target.quantity, value);
+	return quantities_value_in_shown_unit(
+	    &goal->target.quantity, goal->target.least);
 }
 
 static double
@@ -211,8 +211,7 @@ goal_text(const struct find_request *goal)
 						      : tr("the smallest %s"),
 			name);
 	else if (q->kind == QUANTITY_PASSING)
-		words = xasprintf("%g %% %s",
-		    goal_value_in_shown_unit(goal, goal->target.least), name);
+		words = xasprintf("%g %% %s", target_in_shown_unit(goal), name);
 	else
 		words = conditions_one_text(&goal->target);
 	free(name);
@@ -245,7 +244,7 @@ put_goal_fields(struct fields *o, const struct find_request *goal)
 	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
 	    "value_to %g speed %g",
 	    wanted,
-	    value ? goal_value_in_shown_unit(goal, goal->target.least)
+	    value ? target_in_shown_unit(goal)
 		  : target_value_at_speed(goal, speed),
 	    q->kind == QUANTITY_PASSING ? units_m_to_mm(q->x) : NAN,
 	    goal->wanted.from, goal->wanted.to,
@@ -534,7 +533,7 @@ static double
 speed_nearest_to_goal(const struct find_request *goal)
 {
 	const struct conditions_search *w = &goal->wanted;
-	double wanted = goal_value_in_shown_unit(goal, goal->target.least);
+	double wanted = target_in_shown_unit(goal);
 	if (goal->kind != GOAL_VALUE)
 		return goal->search->best;
 	return fabs(target_value_at_speed(goal, w->to) - wanted) <

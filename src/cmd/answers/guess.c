@@ -412,8 +412,8 @@ note_material_nearest_to_product(
 		const struct guess_material *m = &b->m[i];
 		if (b->leave_out[i])
 			continue;
-		struct validation v = validate_run(
-		    site, run, train, &m->params, m->settings, NULL);
+		struct validation v =
+		    validate_run(site, run, train, &m->params, m->settings);
 		if (v.rmse[VALIDATE_MODEL] < least) {
 			least = v.rmse[VALIDATE_MODEL];
 			best = i;

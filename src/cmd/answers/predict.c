@@ -447,20 +447,17 @@ append_whether_measured_in_range(const struct session *s,
 /* Returns "8 times in 10", with a condition where the light is red, because
  * what the band allows for is not all that can be wrong there. */
 static char *
-chance_words_at_speed(
-    const struct session *s, const struct question *q, double speed)
+chance_words(double level, enum light light)
 {
-	struct trust light = trust_at_speed(s, q->entry, speed, q->feed);
-	bool red = light.light == LIGHT_RED;
-	trust_free(&light);
-	FREED char *chance = predict_probability_text(q->level);
-	return red ? xasprintf(tr("if the model holds, %s"), chance)
+	FREED char *chance = predict_probability_text(level);
+	return light == LIGHT_RED
+		   ? xasprintf(tr("if the model holds, %s"), chance)
 		   : xstrdup(chance);
 }
 
 char *
 predict_certainty_text(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed)
+    const struct quantity *of, double speed, enum light light)
 {
 	int decimals = quantities_decimals(of);
 	struct forecast *f = forecast_open(s, q, of, 1);
@@ -472,7 +469,7 @@ predict_certainty_text(const struct session *s, const struct question *q,
 	forecast_close(f);
 	if (isnan(value) || isnan(answer.low) || isnan(sample.low))
 		return NULL;
-	FREED char *chance = chance_words_at_speed(s, q, speed);
+	FREED char *chance = chance_words(q->level, light);
 	FREED char *said = quantities_sentence_with_value(of, value);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, speed, NAN);
@@ -505,13 +502,13 @@ append_command_for_other_sieve(const struct session *s,
 
 static void
 note_certainty_of_passing(struct answer *r, const struct session *s,
-    const struct question *q, const struct prediction *p)
+    const struct question *q, const struct prediction *p, enum light light)
 {
 	const struct quantity of =
 	    answers_default_passing_quantity(&p->product);
 	if (p->low == NULL || fraction_is_screened(&p->fraction))
 		return;
-	FREED char *words = predict_certainty_text(s, q, &of, p->speed);
+	FREED char *words = predict_certainty_text(s, q, &of, p->speed, light);
 	if (words == NULL)
 		return;
 	append_command_for_other_sieve(s, q, p, &words);
@@ -558,7 +555,8 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	struct fields *o = answer_json_fields(r);
 	answers_put_prediction_fields(s, o, entry, q->params, p);
 	put_posterior_settings(o, s, entry);
-	note_certainty_of_passing(r, s, q, p);
+	struct trust trust = trust_at_speed(s, entry, p->speed, q->feed);
+	note_certainty_of_passing(r, s, q, p, trust.light);
 	screened_note_share(r, p);
 	answers_note_p_sizes(r, p);
 	if (p->low != NULL) {
@@ -588,9 +586,10 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	note_match_of_only_product(r, s, entry);
 	struct question at = *q;
 	at.moved = largest_shown_change_by_feed_move(s, q, p, between != NULL);
-	answers_note_basis_and_trust_at_speed(s, r, &at, p->speed,
+	answers_note_basis_and_trust(s, r, &at, p->speed,
 	    p->low != NULL &&
-		(detail || predict_should_note_correction(s, entry)));
+		(detail || predict_should_note_correction(s, entry)),
+	    trust);
 	return r;
 }
 
@@ -644,7 +643,7 @@ predict_at_screen_speed(struct session *s, const struct entry *entry,
 	q.params = &params;
 	*p = forecast_product(s, &q, speed);
 	answers_store_newest_prediction(s, entry, &params, p);
-	invocation_journal_question(s, "predict", line);
+	invocation_journal_prediction(s, line);
 	return true;
 }
 

@@ -36,10 +36,11 @@ double predict_largest_change_by_feed(const struct session *s,
 char *predict_probability_text(double level);
 
 /* Returns a sentence with the bands of a quantity at a speed, m/s: that of the
- * answer and that of a new belt cut (D22).  Returns NULL if there are no draws
- * or the curve does not reach the quantity.  The caller frees it. */
+ * answer and that of a new belt cut (D22).  light: of the answer.  Returns NULL
+ * if there are no draws or the curve does not reach the quantity.  The caller
+ * frees it. */
 char *predict_certainty_text(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed);
+    const struct quantity *of, double speed, enum light light);
 
 /* True if an answer should say what corrects the model. */
 bool predict_should_note_correction(

@@ -300,7 +300,8 @@ write_headline_answer(struct session *s, const struct report_request *ask)
 	struct prediction p =
 	    forecast_whole_product(s, q->entry, ask->speed, q->feed);
 	const struct quantity of = answers_default_passing_quantity(&p.product);
-	FREED char *sure = predict_certainty_text(s, q, &of, ask->speed);
+	FREED char *sure = predict_certainty_text(
+	    s, q, &of, ask->speed, light_of_answer_or_fit(s, q->entry, &p));
 	if (sure != NULL)
 		document_add_paragraph(
 		    s->document, DOCUMENT_WORDS, "%s.", sure);

@@ -330,7 +330,7 @@ note_held_out_difference(const struct explained *a)
 		    misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(site, r, a->entry->train,
-		    &a->entry->params, a->s->set.model, NULL);
+		    &a->entry->params, a->s->set.model);
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, v.speed, NAN);
 		answer_note(a->answer,

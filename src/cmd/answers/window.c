@@ -13,7 +13,6 @@
 #include "cmd/ask/goals.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
-#include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
 

@@ -455,9 +455,9 @@ answers_note_basis_and_trust_at_speed(const struct session *s, struct answer *r,
 		      : trust_in_answer_or_fit(s, q->entry, NULL));
 }
 
-enum light
+void
 answers_note_fit_basis_and_trust(const struct session *s, struct answer *r,
-    const struct entry *entry, bool band)
+    const struct entry *entry, bool band, struct trust light)
 {
 	if (band)
 		band_note_meaning(r, s, entry, false);
@@ -465,10 +465,7 @@ answers_note_fit_basis_and_trust(const struct session *s, struct answer *r,
 	origin_add_note_to_answer(r, entry);
 	feed_note_assumed_top_size(r, entry->site, NULL);
 	note_model_if_not_of_paper(s, r, entry);
-	struct trust trust = trust_in_answer_or_fit(s, entry, NULL);
-	enum light light = trust.light;
-	trust_add_to_answer(r, trust);
-	return light;
+	trust_add_to_answer(r, light);
 }
 
 const char *
@@ -528,7 +525,8 @@ answers_put_prediction_fields(const struct session *s, struct fields *o,
 	fields_put_values(
 	    o, ".feed_mps %g", feed_sampling_speed(entry->site, p->feed_run));
 	if (entry->has_fit)
-		fields_put_values(o, "verdict %s", verdict_on_fit(s, entry, p));
+		fields_put_values(o, "verdict %s",
+		    verdict_on_fit(entry, light_of_answer_or_fit(s, entry, p)));
 	if (origin_is_from_store(entry->origin))
 		fields_put_values(o, "recalled %s", entry->origin->material);
 	origin_put_param_source(o, entry);

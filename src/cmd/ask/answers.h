@@ -149,9 +149,9 @@ void answers_note_basis_and_trust_at_speed(const struct session *s,
 void answers_warn_if_nothing_breaks(
     struct answer *r, const struct entry *entry);
 
-/* Adds what a fit is based on, and returns its light. */
-enum light answers_note_fit_basis_and_trust(const struct session *s,
-    struct answer *r, const struct entry *entry, bool band);
+/* Adds what a fit is based on, and its light, which is freed. */
+void answers_note_fit_basis_and_trust(const struct session *s, struct answer *r,
+    const struct entry *entry, bool band, struct trust light);
 
 /* As answers_note_basis_and_trust, but without band and light, for one of two
  * products. whose: the owner of the feed in words, or NULL.  light: if it warns

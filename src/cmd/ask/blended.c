@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/feed.h"
 #include "cmd/lang/parse.h"
 #include "cmd/sheets/load.h"
 #include "core/psd/blend.h"

@@ -41,7 +41,7 @@ cut_compare_with_prediction(
 	const double rounding = 5e-4;
 	const struct run *r = &entry->site->run[run];
 	const struct question q = question_of_whole_product(s, entry, run);
-	struct cut c = {.level = q.level, .no_band = true};
+	struct cut c = {.no_band = true};
 	FREED struct quantity *asked = sieves_that_crushing_changes(r, &c.n);
 	struct forecast *f = forecast_open(s, &q, asked, c.n);
 	double sum = 0;

@@ -16,9 +16,8 @@ struct cut {
 	 * are outside the band, by no more than careful samples differ, or more
 	 * than a quarter are, by more. */
 	bool no_band, missed, off;
-	/* The RMSE; the largest difference and its sieve, m; the probability of
-	 * the band, 0..1. */
-	double rms, worst, worst_sieve, level;
+	/* The RMSE; the largest difference and its sieve, m. */
+	double rms, worst, worst_sieve;
 };
 
 /* Compares the product of a run with its prediction.  The entry must have

@@ -40,7 +40,7 @@ fit_largest_rmse_of_runs(const struct entry *entry, const struct params *params,
 		    misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
 		struct validation v =
-		    validate_run(site, r, entry->train, params, settings, NULL);
+		    validate_run(site, r, entry->train, params, settings);
 		largest = fmax(largest, v.rmse[VALIDATE_MODEL]);
 	}
 	return largest;

@@ -54,7 +54,7 @@ find_param_on_bound_that_matters(const struct session *s,
 		    fit->on_bound[j]
 			? trust_answer_change_per_param_sd(
 			      posterior_even_if_correction_off(s, entry), e,
-			      ensemble_count_sieves(e), name)
+			      name)
 			: 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;
@@ -262,6 +262,16 @@ trust_in_answer_or_fit(const struct session *s, const struct entry *entry,
 	    s, entry, p, trust_evidence_of_calibration(s, entry), true);
 }
 
+enum light
+light_of_answer_or_fit(const struct session *s, const struct entry *entry,
+    const struct prediction *p)
+{
+	struct trust t = trust_in_answer_or_fit(s, entry, p);
+	enum light light = t.light;
+	trust_free(&t);
+	return light;
+}
+
 void
 trust_replace_if_worse(struct trust *worst, struct trust t)
 {
@@ -355,43 +365,25 @@ trust_add_to_answer(struct answer *r, struct trust t)
 	trust_add_to_answer_at_speed(r, NULL, 0, t);
 }
 
-/* Returns the verdict if it does not depend on the light, otherwise NULL. */
-static const char *
-verdict_independent_of_trust(const struct entry *entry)
+const char *
+verdict_on_fit(const struct entry *entry, enum light light)
 {
 	const struct fit *fit = &entry->fit;
 	return fit->rmse > FIT_POOR         ? tr("poor")
 	       : fit_has_too_few_data(fit)  ? tr("too few data")
 	       : fit_has_no_breakage(entry) ? tr("nothing breaks")
-					    : NULL;
-}
-
-static const char *
-verdict_of_light(struct trust t)
-{
-	bool good = t.light == LIGHT_GREEN;
-	trust_free(&t);
-	return good ? tr("good") : tr("doubtful");
-}
-
-const char *
-verdict_on_fit(const struct session *s, const struct entry *entry,
-    const struct prediction *p)
-{
-	const char *plain = verdict_independent_of_trust(entry);
-	return plain != NULL
-		   ? plain
-		   : verdict_of_light(trust_in_answer_or_fit(s, entry, p));
+	       : light == LIGHT_GREEN       ? tr("good")
+					    : tr("doubtful");
 }
 
 const char *
 fit_verdict_without_posterior(
     const struct session *s, const struct entry *entry)
 {
-	const char *plain = verdict_independent_of_trust(entry);
 	struct evidence e = trust_evidence_without_posterior(s, entry);
 	/* No cut has been added since this calibration. */
-	return plain != NULL ? plain
-			     : verdict_of_light(judge_trust_in_answer(
-				   s, entry, NULL, &e, false));
+	struct trust t = judge_trust_in_answer(s, entry, NULL, &e, false);
+	const char *verdict = verdict_on_fit(entry, t.light);
+	trust_free(&t);
+	return verdict;
 }

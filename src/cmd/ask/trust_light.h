@@ -7,9 +7,11 @@
 #include "cmd/session/session.h"
 #include "core/answer/predict.h"
 
-/* Returns the light of the answer p, or of the entry's fit if p is NULL.  Free
- * with trust_free. */
+/* Return the light of the answer p, or of the entry's fit if p is NULL, with
+ * its reasons, to free with trust_free, or alone. */
 struct trust trust_in_answer_or_fit(const struct session *s,
+    const struct entry *entry, const struct prediction *p);
+enum light light_of_answer_or_fit(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
 /* trust_replace_if_worse replaces *worst by t if that is worse, and frees the
@@ -37,11 +39,10 @@ void trust_add_to_answer(struct answer *r, struct trust t);
 void trust_add_to_answer_at_speed(
     struct answer *r, const struct site *site, double speed, struct trust t);
 
-/* Returns the verdict on the fit behind an answer p, or on the fit alone if p
- * is NULL: "poor", "too few data", "nothing breaks", "good" if the light is
- * green, and "doubtful" otherwise. */
-const char *verdict_on_fit(const struct session *s, const struct entry *entry,
-    const struct prediction *p);
+/* Returns the verdict on the fit behind an answer with this light, or on the
+ * fit alone, with its own light: "poor", "too few data", "nothing breaks",
+ * "good" if the light is green, and "doubtful" otherwise. */
+const char *verdict_on_fit(const struct entry *entry, enum light light);
 
 /* As verdict_on_fit for a fit, but without draws from its posterior, which take
  * three times as long as the calibration.  Draws may turn "good" into

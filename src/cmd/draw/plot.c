@@ -20,7 +20,6 @@
 #include "cmd/ask/pin.h"
 #include "cmd/session/sites.h"
 #include "cmd/lang/table.h"
-#include "cmd/ask/feed.h"
 #include "config.h"
 #include "core/psd/rotor_speed.h"
 #include "plot/picture.h"

@@ -208,15 +208,18 @@ choose_profile_plot_range(
 	reach[1] = fmin(reach[1], high + more);
 }
 
+/* The values of a parameter at which a profile is computed. */
+enum { VALUES = 31 };
+
 /* Sets x to n values spread over the axis, within the bounds.  The fit's own
  * value replaces the nearest one. */
 static void
-choose_parameter_profile_values(const struct chart *chart,
-    const struct profile_data *a, double *x, size_t n)
+choose_parameter_profile_values(
+    const struct chart *chart, const struct profile_data *a, double *x)
 {
-	double step = (chart->x.high - chart->x.low) / (double)(n - 1);
+	double step = (chart->x.high - chart->x.low) / (VALUES - 1);
 	double fit = a->fit.at[a->j];
-	for (size_t i = 0; i < n; i++) {
+	for (size_t i = 0; i < VALUES; i++) {
 		double at = chart->x.low + step * (double)i;
 		if (fabs(at - fit) <= step / 2)
 			at = fit;
@@ -230,9 +233,8 @@ choose_parameter_profile_values(const struct chart *chart,
 static void
 add_likelihood_curve(struct chart *chart, const struct profile_data *a)
 {
-	enum { VALUES = 31 };
 	double x[VALUES], misfit[VALUES], least = INFINITY, near[2];
-	choose_parameter_profile_values(chart, a, x, VALUES);
+	choose_parameter_profile_values(chart, a, x);
 	profile_misfit(a->misfit, &a->fit, &a->bounds, a->j, x, VALUES, misfit);
 	for (size_t i = 0; i < VALUES; i++)
 		least = fmin(least, misfit[i]);

@@ -17,7 +17,6 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/pin.h"
-#include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"

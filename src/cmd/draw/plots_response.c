@@ -22,7 +22,6 @@
 #include "cmd/draw/site_chart.h"
 #include "core/psd/rotor_speed.h"
 #include "core/answer/predict.h"
-#include "io/sitefile/units.h"
 
 /* The quantities [n] to draw, the limits on them, and the range of speeds, m/s.
  * Quantities that name no fraction have that of the question.  moved: the most
@@ -135,9 +134,10 @@ quantity_line_style(size_t i)
 }
 
 static void
-add_measured_quantity_marks(struct chart *chart, const struct session *s,
-    const struct entry *entry, struct drawn *d, size_t i)
+add_measured_quantity_marks(
+    struct chart *chart, const struct session *s, struct drawn *d, size_t i)
 {
+	const struct entry *entry = d->asked->entry;
 	const struct site *site = entry->site;
 	const struct quantity *q = &d->q[i];
 	struct chart_series look = site_chart_series_style(i);
@@ -301,8 +301,7 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 			FREED char *name = quantities_name(&d->q[i]);
 			d->line[i] = chart_append_series(
 			    chart, quantity_line_style(i), POINTS, "%s", name);
-			add_measured_quantity_marks(
-			    chart, s, d->asked->entry, d, i);
+			add_measured_quantity_marks(chart, s, d, i);
 			add_limit_lines_to_chart(chart, d, i);
 		}
 	mark_measured_speeds(chart, d->asked->entry);

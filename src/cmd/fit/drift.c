@@ -8,6 +8,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/cut.h"
 #include "cmd/ask/routine.h"
+#include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
@@ -68,13 +69,13 @@ cut_number_and_date_text(const struct routine *r, size_t cut)
 /* Returns the different speeds of the cuts from `from` on, "72,76", and sets *n
  * to their number. */
 static char *
-speeds_of_cuts_text(const struct routine *r, size_t from, size_t *n)
+speeds_of_cuts_text(const struct routine *r, size_t *n)
 {
 	char *list = xstrdup("");
 	*n = 0;
-	for (size_t j = from; j < r->n; j++) {
+	for (size_t j = r->since; j < r->n; j++) {
 		bool known = false;
-		for (size_t i = from; i < j; i++)
+		for (size_t i = r->since; i < j; i++)
 			known = known || r->cut[i].speed == r->cut[j].speed;
 		if (known)
 			continue;
@@ -131,7 +132,7 @@ note_when_to_recalibrate(struct answer *a, const struct entry *entry,
 		return;
 	}
 	FREED char *since = cut_number_and_date_text(r, r->since);
-	FREED char *speeds = speeds_of_cuts_text(r, r->since, &n);
+	FREED char *speeds = speeds_of_cuts_text(r, &n);
 	answer_note(a,
 	    n > 1
 		? N_("next: find the cause; if the change is permanent, sample "
@@ -327,7 +328,8 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	note_when_drift_began(a, r);
 	note_control_limits(a, r, args->detail);
 	note_basis_of_control_charts(a, s, r);
-	answers_note_fit_basis_and_trust(s, a, entry, false);
+	answers_note_fit_basis_and_trust(
+	    s, a, entry, false, trust_in_answer_or_fit(s, entry, NULL));
 	note_when_to_recalibrate(a, entry, r, &later);
 	control_charts_free(r);
 	return session_show_answer(s, a);

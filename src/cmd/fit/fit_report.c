@@ -333,10 +333,9 @@ note_how_to_test_fit(struct answer *r, const struct entry *entry)
  * test it. */
 static void
 add_fit_summary(
-    struct answer *r, const struct session *s, const struct entry *entry)
+    struct answer *r, const struct entry *entry, const char *verdict)
 {
 	const struct fit *fit = &entry->fit;
-	const char *verdict = verdict_on_fit(s, entry, NULL);
 	bool of_fit = strchr(verdict, ' ') == NULL;
 	FREED char *held =
 	    session_speeds_of_runs_text(entry->site, ", ", entry->train, false);
@@ -372,8 +371,9 @@ build_detailed_fit_report(const struct session *s, const struct entry *entry,
 	add_calibration_search_notes(r, entry, bounds);
 	if (strcmp(command, "show") == 0)
 		fields_put_values(o, "what %s", "fit");
-	fit_put_fields(o, entry, verdict_on_fit(s, entry, NULL), seconds);
-	answers_note_fit_basis_and_trust(s, r, entry, u != NULL);
+	struct trust trust = trust_in_answer_or_fit(s, entry, NULL);
+	fit_put_fields(o, entry, verdict_on_fit(entry, trust.light), seconds);
+	answers_note_fit_basis_and_trust(s, r, entry, u != NULL, trust);
 	fit_put_param_bands(o, s, u, &entry->fit.params);
 	return r;
 }
@@ -450,14 +450,16 @@ fit_build_report(const struct session *s, const struct entry *entry,
 	    entry->site, "calibrate", "calibrated on %s m/s%s", speeds, rpm);
 	answer_begin_table_for_programs(r);
 	add_parameter_rows(r, s, fit, u, bounds);
-	add_fit_summary(r, s, entry);
+	struct trust trust = trust_in_answer_or_fit(s, entry, NULL);
+	const char *verdict = verdict_on_fit(entry, trust.light);
+	add_fit_summary(r, entry, verdict);
 	note_change_of_answer(r, s, entry);
 	note_misfit_above_lowest(r, fit);
 	note_bounds_edited(r, fit);
 	add_warnings_of_fit(r, entry);
-	fit_put_fields(answer_json_fields(r), entry,
-	    verdict_on_fit(s, entry, NULL), seconds);
-	if (answers_note_fit_basis_and_trust(s, r, entry, false) == LIGHT_RED)
+	fit_put_fields(answer_json_fields(r), entry, verdict, seconds);
+	answers_note_fit_basis_and_trust(s, r, entry, false, trust);
+	if (trust.light == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
 	else if (fit_has_no_breakage(entry))
 		answer_note(r, "next: 'show feed' and 'show product' have "
@@ -547,7 +549,8 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	answer_add_sentence(r, ANSWER_REMARK,
 	    "best and median misfit of the search, then the spread of each "
 	    "parameter in %% of its bounds");
-	answers_note_fit_basis_and_trust(s, r, entry, false);
+	answers_note_fit_basis_and_trust(
+	    s, r, entry, false, trust_in_answer_or_fit(s, entry, NULL));
 	if (entry->fit.edits > 0)
 		answer_add_sentence(r, ANSWER_REMARK,
 		    entry->fit.edits > 1

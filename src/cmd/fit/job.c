@@ -626,16 +626,15 @@ misfit_of_present_params(const struct session *s)
  * search does not replace a better fit.  A search that is complete and lacks
  * only its draws always does. */
 static bool
-is_stopped_fit_better(const struct job *job, double best, double present)
+is_stopped_fit_better(const struct job *job, double best)
 {
 	return calibration_status(job->calibration).state >=
 		   CALIBRATE_TOLERANCE ||
-	       !isfinite(present) || best < present;
+	       !isfinite(job->before) || best < job->before;
 }
 
 static void
-print_calibration_stopped(
-    const struct session *s, double best, double present, bool taken)
+print_calibration_stopped(const struct session *s, double best, bool taken)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (taken && s->job.type->alone)
@@ -648,14 +647,15 @@ print_calibration_stopped(
 		    "stopped at generation %zu of %zu, best misfit %.4g; the "
 		    "site's parameters fit better (misfit %.4g) and stay: "
 		    "'accept' takes the stopped ones, 'continue' resumes",
-		    st.generation, s->job.options.generations, best, present);
+		    st.generation, s->job.options.generations, best,
+		    s->job.before);
 	else if (!taken)
 		session_print_note(s,
 		    "%s: stopped at generation %zu of %zu, best misfit %.4g; "
 		    "the site's parameters fit better (misfit %.4g) and "
 		    "stay",
 		    s->entry[s->job.entry].key, st.generation,
-		    s->job.options.generations, best, present);
+		    s->job.options.generations, best, s->job.before);
 }
 
 /* Takes the best fit so far if it is worth it; before the first generation
@@ -672,13 +672,13 @@ apply_best_fit_on_stop(struct session *s)
 	double best = calibration_best_fit(job->calibration).misfit;
 	if (!job->gave || memcmp(&job->given, params, sizeof *params) != 0)
 		job->before = misfit_of_present_params(s);
-	bool taken = is_stopped_fit_better(job, best, job->before);
+	bool taken = is_stopped_fit_better(job, best);
 	if (taken) {
 		job->type->take(s);
 		job->given = *params;
 		job->gave = true;
 	}
-	print_calibration_stopped(s, best, job->before, taken);
+	print_calibration_stopped(s, best, taken);
 	return taken ? STOPPED_TAKEN : STOPPED_WORSE;
 }
 

@@ -4,7 +4,6 @@
 #include "cmd/fit/trials.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"

@@ -350,10 +350,11 @@ validate_current_site(
 	    posterior_of_calibration(s, entry, CORRECTION_TRAIN));
 	struct answer *r =
 	    scores_build_answer_of_site(&c->runs, entry->site, c->sieves);
+	struct trust trust = trust_in_answer_or_fit(s, entry, NULL);
 	if (entry->has_fit)
 		fields_put_values(answer_json_fields(r), "verdict %s",
-		    verdict_on_fit(s, entry, NULL));
-	answers_note_fit_basis_and_trust(s, r, entry, false);
+		    verdict_on_fit(entry, trust.light));
+	answers_note_fit_basis_and_trust(s, r, entry, false, trust);
 	return session_show_answer(s, r);
 }
 

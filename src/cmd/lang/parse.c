@@ -521,10 +521,9 @@ error_expected_whole_number(
     const struct command_option *option, const char *word, struct error *error)
 {
 	FREED char *limits = command_option_valid_values_text(option);
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "%s: expected a whole number, %s; got '%s'", option->name, limits,
 	    word);
-	return false;
 }
 
 /* Sets the error for an option without a value.  Returns false. */
@@ -533,9 +532,8 @@ error_option_without_value(
     const struct command_option *option, struct error *error)
 {
 	FREED char *limits = command_option_valid_values_text(option);
-	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
-	    limits);
-	return false;
+	return error_set(error, ERROR_USAGE, "%s: expected a value: %s",
+	    option->name, limits);
 }
 
 static bool
@@ -786,14 +784,13 @@ check_number_of_operands(const struct args *args, struct error *error)
 	if (more != NULL && !check_operand_is_no_option(command, more, error))
 		return false;
 	FREED char *usage = command_usage_text(command);
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    more != NULL ? N_("%s: unexpected word '%s'\n"
 			      "usage: %s")
 			 : N_("%s: expected %s\n"
 			      "usage: %s"),
 	    command->name, more != NULL ? more : command->operands.usage,
 	    usage);
-	return false;
 }
 
 /* If there are spaces around =, as in "speed = 74", "speed =74" and "speed=

@@ -8,7 +8,6 @@
 #include <string.h>
 #include <time.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/journal.h"

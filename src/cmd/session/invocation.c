@@ -7,7 +7,6 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -199,11 +198,10 @@ record_command_in_journal(
 }
 
 void
-invocation_journal_question(
-    struct session *s, const char *command, const char *line)
+invocation_journal_prediction(struct session *s, const char *line)
 {
 	if (!is_result_redirected(s->invocation) && !session_is_calibrating(s))
-		journal_add_slider_line(s, command, line);
+		journal_add_slider_line(s, line);
 	autosave_after_command(s, true, false);
 }
 

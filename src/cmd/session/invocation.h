@@ -58,10 +58,9 @@ void invocation_set_job_stopped(struct session *s, size_t steps);
 void invocation_add_journal_options(struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Adds to the journal the line of a question that no command asked, see
+/* Adds to the journal the line of a prediction that no command asked for, see
  * journal_add_slider_line. */
-void invocation_journal_question(
-    struct session *s, const char *command, const char *line);
+void invocation_journal_prediction(struct session *s, const char *line);
 
 /* Ends the innermost command, and writes its results where they go.  ok: the
  * command succeeded; otherwise the error says why not, and is kept.  Returns

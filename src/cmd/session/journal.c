@@ -157,12 +157,11 @@ names_only_speeds(const char *line)
 }
 
 void
-journal_add_slider_line(
-    struct session *s, const char *command, const char *line)
+journal_add_slider_line(struct session *s, const char *line)
 {
 	const struct journal *j = s->journal;
 	bool replaces = j->n > 0 && names_only_speeds(j->line[j->n - 1]);
-	journal_add_line(s, replaces ? command : NULL, "%s", line);
+	journal_add_line(s, replaces ? "predict" : NULL, "%s", line);
 }
 
 void

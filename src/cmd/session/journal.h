@@ -40,10 +40,9 @@ void journal_add_line(struct session *s, const char *latest, const char *line,
 /* True if there is a last line, and it ends so. */
 bool journal_last_line_ends(const struct session *s, const char *end);
 
-/* Adds a line of the slider, a call of `command`, in place of one that asked no
+/* Adds a line of the slider, a call of predict, in place of one that asked no
  * more than it does.  Other questions stay. */
-void journal_add_slider_line(
-    struct session *s, const char *command, const char *line);
+void journal_add_slider_line(struct session *s, const char *line);
 
 /* Adds a line that checks by its digest that a file is still the same, to come
  * before the line of the command that reads it.  latest: as for

@@ -38,19 +38,15 @@ struct output {
 	 * set. */
 	const char *end;
 	enum output_kind kind;
-	/* For commands that draw (COMMAND_DRAWS), otherwise for others. */
-	bool drawn;
 	int format; /* of OUTPUT_ANSWERS */
 };
 
-static const struct output OUTPUTS[] = {
-    {".csv", OUTPUT_ANSWERS, false, ANSWER_CSV},
-    {".json", OUTPUT_ANSWERS, false, ANSWER_JSON},
-    {".md", OUTPUT_ANSWERS, false, ANSWER_MARKDOWN},
-    {".xlsx", OUTPUT_BOOK, false, 0}, {".html", OUTPUT_HTML, false, 0},
-    {".svg", OUTPUT_PICTURE, true, 0}, {".png", OUTPUT_PICTURE, true, 0},
-    {".pdf", OUTPUT_PICTURE, true, 0}, {".pdf", OUTPUT_PDF, false, 0},
-    {NULL, OUTPUT_ANSWERS, false, -1}};
+static const struct output OUTPUTS[] = {{".csv", OUTPUT_ANSWERS, ANSWER_CSV},
+    {".json", OUTPUT_ANSWERS, ANSWER_JSON},
+    {".md", OUTPUT_ANSWERS, ANSWER_MARKDOWN}, {".xlsx", OUTPUT_BOOK, 0},
+    {".html", OUTPUT_HTML, 0}, {".svg", OUTPUT_PICTURE, 0},
+    {".png", OUTPUT_PICTURE, 0}, {".pdf", OUTPUT_PICTURE, 0},
+    {".pdf", OUTPUT_PDF, 0}, {NULL, OUTPUT_ANSWERS, -1}};
 
 /* Workbooks that we cannot write: a spreadsheet program would call our text in
  * such a file damaged. */
@@ -83,10 +79,9 @@ set_error_only_xlsx(const struct command *command, const struct words *words,
 	FREED char *file = xasprintf("%.*s.xlsx", (int)(end - target), target);
 	xappend(&line, " >");
 	journal_append_quoted_word(&line, file);
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "cannot write %s workbooks, only .xlsx (%s)\nwrite: %s", end,
 	    target, line);
-	return false;
 }
 
 /* Sets the error for an image from a command that does not draw.  Returns

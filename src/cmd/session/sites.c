@@ -219,14 +219,13 @@ session_remove_site(struct session *s, size_t index)
 }
 
 bool
-session_replace_site_by_mended(
-    struct session *s, size_t index, struct site *site)
+session_replace_site_by_mended(struct session *s, struct site *site)
 {
-	struct entry *entry = &s->entry[index];
+	struct entry *entry = &s->entry[s->current];
 	bool own =
 	    entry->has_fit || (entry->origin != NULL && entry->origin->found &&
 				  entry->origin->from[0] == '\0');
-	if (s->job.type != NULL && s->job.entry == index)
+	if (s->job.type != NULL && s->job.entry == s->current)
 		session_discard_paused_job(s);
 	if (site->n_run != entry->site->n_run) {
 		free(entry->train);
@@ -334,13 +333,12 @@ session_find_site(
 		return true;
 	}
 	FREED char *keys = matching_site_keys_text(s, best > 0 ? name : NULL);
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    best > 0 ? N_("several sites are called '%s'\nuse one of: %s")
 	    : keys[0] != '\0'
 		? N_("no site '%s' is loaded\nloaded: %s")
 		: N_("no site '%s' is loaded\nload its file first%s"),
 	    name, keys);
-	return false;
 }
 
 bool

@@ -15,11 +15,10 @@ void session_take_ownership_of_site(struct session *s, struct site *site);
 /* Unloads a site, and discards a paused calibration of it. */
 void session_remove_site(struct session *s, size_t index);
 
-/* Replaces a loaded site by its mended version, of which it takes ownership.
+/* Replaces the current site by its mended version, of which it takes ownership.
  * Returns true if parameters found by calibrating the former version were
  * discarded; other parameters are kept. */
-bool session_replace_site_by_mended(
-    struct session *s, size_t index, struct site *site);
+bool session_replace_site_by_mended(struct session *s, struct site *site);
 
 /* Replaces the current site by one with more runs, of which it takes ownership.
  * The parameters and the fit are kept, although they were found on fewer data;

@@ -189,8 +189,9 @@ show_blend(struct session *s, const struct args *args, const struct blended *b)
  * provenance that its parts state. */
 static bool
 write_blend_as_sheet(struct session *s, const struct args *args,
-    const struct blended *b, const char *path, struct error *error)
+    const struct blended *b, struct error *error)
 {
+	const char *path = args->out;
 	size_t rows;
 	struct site *site = site_new(1);
 	xfree_and_set(&site->name, xasprintf(tr("blend of %s"), b->words));
@@ -217,7 +218,7 @@ cmd_blend(struct session *s, const struct args *args, struct error *error)
 	if (good) {
 		blended_mix_feeds(&b);
 		good = args->out == NULL ||
-		       write_blend_as_sheet(s, args, &b, args->out, error);
+		       write_blend_as_sheet(s, args, &b, error);
 		if (good)
 			show_blend(s, args, &b);
 	}

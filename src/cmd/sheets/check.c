@@ -11,7 +11,6 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/session/sites.h"
-#include "cmd/ask/fit.h"
 #include "cmd/sheets/mend.h"
 #include "cmd/lang/table.h"
 #include "core/check/trust.h"

@@ -216,11 +216,10 @@ set_no_near_log_row_error(const struct plant_log *log, double time,
 	FREED char *at = datetime_to_text(time),
 		   *nearest = datetime_to_text(near);
 	FREED char *span = time_range_text(log->time[0], log->time[log->n - 1]);
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "the log has no row within %g minutes of %s; the nearest is at "
 	    "%s\nthe log has %s; window= looks further, or give the speed",
 	    within / 60, at, nearest, span);
-	return false;
 }
 
 bool
@@ -251,12 +250,11 @@ log_find_speed_at_time(struct session *s, double time, double within,
 	double v = tip_speed_of_log_window(log, &w, rotor);
 	if (!(v >= 1 && v <= SITE_FASTEST)) {
 		FREED char *at = datetime_to_text(time);
-		error_set(error, ERROR_USAGE,
+		return error_set(error, ERROR_USAGE,
 		    "expected a running rotor at %s, got %s %.4g\n"
 		    "check the time, or give the speed: add FILE@SPEED",
 		    at, rpm ? tr("rpm") : "m/s",
 		    w.median[rpm ? LOG_RPM : LOG_SPEED]);
-		return false;
 	}
 	note_speed_from_plant_log(s, log, time, within, rotor, &w);
 	*found = (struct logged){v, w.median[LOG_POWER], w.median[LOG_RATE]};

@@ -265,11 +265,10 @@ set_unknown_column_error(
 		FREED char *own = mend_name_of_column(site, feed, r);
 		xappend_to_list(&list, ", ", "%s", own);
 	}
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "the site has no column '%s'\n"
 	    "use a number that check gave, or one of: %s",
 	    name, list);
-	return false;
 }
 
 static bool
@@ -327,7 +326,7 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	FREED char *words = mend_description(entry->site, &mend);
 	xfree_and_set(
 	    &s->invocation->line, mend_to_command_text(entry->site, &mend));
-	bool fitted = session_replace_site_by_mended(s, s->current, site);
+	bool fitted = session_replace_site_by_mended(s, site);
 	session_print_note(s, "mended: %s", words);
 	if (fitted)
 		session_print_note(s, "  the data have changed since the "

@@ -9,7 +9,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/sheets/load.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/session/journal.h"

@@ -70,16 +70,6 @@ list_contains(const size_t *list, size_t n, size_t what)
 }
 
 size_t
-circuit_source_of_stream(const struct circuit *c, size_t stream)
-{
-	size_t u = 0;
-	while (u < c->n_unit &&
-	       !list_contains(c->unit[u].out, c->unit[u].n_out, stream))
-		u++;
-	return u;
-}
-
-size_t
 circuit_destination_of_stream(const struct circuit *c, size_t stream)
 {
 	size_t u = 0;
@@ -341,7 +331,6 @@ circuit_compute_flow(const struct circuit *c, const double *feed,
     const double *size, size_t classes, struct transfer *const *transfer)
 {
 	struct flow flow = {.n_stream = c->n_stream,
-	    .classes = classes,
 	    .draws = 1,
 	    .back = xcalloc(c->n_stream, sizeof *flow.back)};
 	for (size_t u = 0; u < c->n_unit; u++)

@@ -55,9 +55,8 @@ struct unit *circuit_add_unit(
     struct circuit *c, enum unit_kind kind, const char *name);
 size_t circuit_find_or_add_stream(struct circuit *c, const char *name);
 
-/* Return the index of the unit that a stream comes from or goes to, or n_unit
- * if there is none. */
-size_t circuit_source_of_stream(const struct circuit *c, size_t stream);
+/* Returns the index of the unit that a stream goes to, or n_unit if there is
+ * none. */
 size_t circuit_destination_of_stream(const struct circuit *c, size_t stream);
 
 /* Return the index of a unit that the feed does not reach, or n_unit, and of a
@@ -78,7 +77,7 @@ enum { CIRCUIT_PASSES = 2000 };
  * draw's, and the rest is invalid. */
 struct flow {
 	bool open;
-	size_t n_stream, classes, draws, passes;
+	size_t n_stream, draws, passes;
 	double *tph, *tph_draw, *mass;
 	bool *back;
 	double balance, circulating, *circulating_draw;

@@ -175,7 +175,7 @@ sum_progeny_of_feed_classes(
  * next finer sieve, as correct_passings_of_product will limit it. */
 static void
 transfer_compute_draw_correction(const struct crusher *c, struct transfer *t,
-    size_t d, const double *P, size_t apart, double *out)
+    size_t d, const double *P, double *out)
 {
 	double *more = t->more + d * c->n;
 	const double *delta = t->delta != NULL ? t->delta + d * c->n : NULL;
@@ -187,8 +187,8 @@ transfer_compute_draw_correction(const struct crusher *c, struct transfer *t,
 		if (delta != NULL)
 			raw = total * discrepancy_corrected_passing(
 					  raw / total, delta[k], least / total);
-		more[k] = P[i * apart] - raw;
-		finer = P[i * apart];
+		more[k] = P[i * t->draws] - raw;
+		finer = P[i * t->draws];
 	}
 }
 
@@ -206,8 +206,7 @@ transfer_correct_to_prediction(struct crusher *c, struct transfer *t, double v)
 		model_compute_product(c->whole.model, v, P);
 	}
 	for (size_t d = 0; d < t->draws; d++)
-		transfer_compute_draw_correction(
-		    c, t, d, draws + d, t->draws, out);
+		transfer_compute_draw_correction(c, t, d, draws + d, out);
 }
 
 struct transfer *

@@ -4,7 +4,6 @@
 #include "core/answer/forecast.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -211,10 +210,10 @@ quantity_of_curve(struct forecast *f, size_t i, const struct psd *curve)
 }
 
 static void
-fill_posterior_draw_curve(const struct forecast *f, size_t d, struct psd *curve)
+fill_posterior_draw_curve(struct forecast *f, size_t d)
 {
 	const double *P = ensemble_products(f->ensemble, f->of) + d;
-	interpolate_curve(f, P, DRAWS, curve);
+	interpolate_curve(f, P, DRAWS, &f->curve);
 }
 
 /* Computes the passings at size k in all draws. */
@@ -271,7 +270,7 @@ compute_quantities_in_draws(struct forecast *f)
 			curves = true;
 	}
 	for (size_t d = 0; d < DRAWS && curves; d++) {
-		fill_posterior_draw_curve(f, d, &f->curve);
+		fill_posterior_draw_curve(f, d);
 		for (size_t i = 0; i < f->n; i++)
 			if (f->row[i] >= f->product.n)
 				f->draw[i][d] =
@@ -381,7 +380,7 @@ forecast_excess_in_each_draw(struct forecast *f, size_t i, double limit,
 {
 	for (size_t d = 0; d < DRAWS; d++) {
 		if (quantity_excess_needs_whole_curve(&f->asked[i]))
-			fill_posterior_draw_curve(f, d, &f->curve);
+			fill_posterior_draw_curve(f, d);
 		over[d] = excess_of_curve_over_limit(
 		    f, i, limit, f->draw[i][d], &f->curve);
 	}

@@ -156,7 +156,7 @@ fill_guess_median_and_range(
 	}
 	for (size_t i = 0; i < n; i++)
 		v[i] = p[i].break_size;
-	guess->break_size = sort_and_compute_80_range(v, n);
+	guess->size[PSD_SIZES] = sort_and_compute_80_range(v, n);
 }
 
 static struct guess

@@ -39,8 +39,8 @@ struct guess_range {
 };
 
 /* Curves on the same sieves: at each sieve, the median and the 80 % band of the
- * materials' products.  The middle of p20, p50 and p80, m, is read off the
- * median curve; that of break_size, m, is the median.
+ * materials' products.  size: P20, P50, P80 and the break size, m; the middle
+ * of the first three is read off the median curve, the last is the median.
  *
  * The band extends from rank 0.1 (n + 1) to rank 0.9 (n + 1) of n values:
  * another value of the same kind lies in it with a probability of 80 %, if n is
@@ -49,12 +49,7 @@ struct guess_range {
 struct guess {
 	double speed; /* m/s */
 	struct psd feed, median, low, high;
-	union {
-		struct {
-			struct guess_range p20, p50, p80, break_size;
-		};
-		struct guess_range size[PSD_SIZES + 1];
-	};
+	struct guess_range size[PSD_SIZES + 1];
 };
 
 /* The number of laws (values of beta) that represent an unknown beta, from

@@ -5,11 +5,9 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
-#include "core/numeric/elementary.h"
 #include "core/model/product.h"
 
 /* Returns the sizes, of size [n], coarsest first, that the feed covers. */

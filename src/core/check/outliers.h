@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CORE_CHECK_OUTLIERS_H
 #define TIPSPEED_CORE_CHECK_OUTLIERS_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "core/check/correction.h"

@@ -5,13 +5,11 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <gsl/gsl_statistics_double.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "core/numeric/elementary.h"
 #include "core/model/product.h"
 #include "core/model/selection.h"
 #include "core/psd/rotor_speed.h"
@@ -168,8 +166,8 @@ find_worst_holdout(struct evidence *e, const struct site *site,
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (train[r] || misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
-		struct validation v = validate_run(
-		    site, r, train, &fit->params, fit->settings, NULL);
+		struct validation v =
+		    validate_run(site, r, train, &fit->params, fit->settings);
 		if (e->holdout.n_sieve == 0 ||
 		    v.rmse[VALIDATE_MODEL] > e->holdout.rmse[VALIDATE_MODEL])
 			e->holdout = v;
@@ -189,8 +187,8 @@ trust_find_outlier_cell(
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
-		struct validation v = validate_run(
-		    site, r, train, &fit->params, fit->settings, NULL);
+		struct validation v =
+		    validate_run(site, r, train, &fit->params, fit->settings);
 		if (fabs(v.worst_difference) >
 		    fmax(far_off, fabs(farthest.worst_difference)))
 			farthest = v;
@@ -693,10 +691,11 @@ trust_free(struct trust *t)
 }
 
 double
-trust_answer_change_per_param_sd(const struct posterior *p, struct ensemble *e,
-    size_t n, const char *parameter)
+trust_answer_change_per_param_sd(
+    const struct posterior *p, struct ensemble *e, const char *parameter)
 {
 	enum { N = POSTERIOR_DRAWS };
+	size_t n = ensemble_count_sieves(e);
 	double value[N], sum = 0;
 	for (size_t d = 0; d < N; d++)
 		value[d] = params_value_by_name(&p->draw[d].params, parameter);

@@ -178,10 +178,10 @@ void trust_judge_answer(
 void trust_free(struct trust *t);
 
 /* Returns the change in an ensemble's answers, passing 0..1, for one standard
- * deviation of a parameter: the root mean square over n sizes, at the
- * ensemble's speed. */
-double trust_answer_change_per_param_sd(const struct posterior *p,
-    struct ensemble *e, size_t n, const char *parameter);
+ * deviation of a parameter: the root mean square over its sieves, at
+ * the ensemble's speed. */
+double trust_answer_change_per_param_sd(
+    const struct posterior *p, struct ensemble *e, const char *parameter);
 
 /* Returns the largest difference between two feeds, passing 0..1. */
 double trust_largest_feed_difference(const struct psd *a, const struct psd *b);

@@ -228,11 +228,10 @@ validate_run_from_predictions(const struct site *site, size_t run,
 
 struct validation
 validate_run(const struct site *site, size_t run, const bool *train,
-    const struct params *p, struct model_settings settings,
-    const double *corrected)
+    const struct params *p, struct model_settings settings)
 {
-	FREED double *passing = validate_predict_by_all_ways(
-	    site, run, train, p, settings, corrected);
+	FREED double *passing =
+	    validate_predict_by_all_ways(site, run, train, p, settings, NULL);
 	return validate_run_from_predictions(site, run, train, passing);
 }
 

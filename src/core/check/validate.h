@@ -43,17 +43,16 @@ struct validation {
 	double nearest; /* training speed, m/s, or NAN */
 };
 
-/* Compares a run with its predictions.  train [n_run]: the training runs.
- * corrected: passings of the corrected answer at the covered sieves, or NULL.
- * The run must have a product with a covered sieve (asserted). */
+/* Compares a run with its predictions, without the corrected answer.  train
+ * [n_run]: the training runs.  The run must have a product with a covered sieve
+ * (asserted). */
 struct validation validate_run(const struct site *site, size_t run,
-    const bool *train, const struct params *p, struct model_settings settings,
-    const double *corrected);
+    const bool *train, const struct params *p, struct model_settings settings);
 
 /* Returns the passings [VALIDATE_WAYS][n], 0..1, that the ways predict for the
  * run at its n covered sieves, or NAN if a way has no answer, as
- * VALIDATE_CORRECTED if corrected is NULL.  corrected: as for validate_run.
- * The caller frees the result. */
+ * VALIDATE_CORRECTED if corrected is NULL.  corrected: passings of the corrected
+ * answer at these sieves.  The caller frees the result. */
 double *validate_predict_by_all_ways(const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
     const double *corrected);

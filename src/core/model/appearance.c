@@ -28,11 +28,10 @@ polynomial_integral(const double beta[static 4], double u)
 	       u * (beta[1] + u * (beta[2] / 2 + u * beta[3] / 3));
 }
 
-/* Finds where the polynomial turns: the roots of its derivative strictly
- * between a and b, in rising order.  Returns their number. */
+/* Finds where the polynomial turns: the roots of its derivative strictly within
+ * [2^-10, 1], in rising order.  Returns their number. */
 static size_t
-find_turning_points_of_cubic(
-    const double beta[static 4], double a, double b, double at[2])
+find_turning_points_of_cubic(const double beta[static 4], double at[2])
 {
 	double c = beta[1], d = 2 * beta[2], e = 3 * beta[3];
 	double discriminant = d * d - 4 * e * c;
@@ -47,7 +46,7 @@ find_turning_points_of_cubic(
 	}
 	size_t n = 0;
 	for (size_t i = 0; i < 2; i++)
-		if (root[i] > a && root[i] < b)
+		if (root[i] > APPEARANCE_FINEST && root[i] < 1)
 			at[n++] = root[i];
 	return n;
 }
@@ -75,8 +74,7 @@ static size_t
 find_polynomial_sign_changes(const double beta[static 4], double edge[static 5])
 {
 	double turn[2], stop[4];
-	size_t n_turn =
-	    find_turning_points_of_cubic(beta, APPEARANCE_FINEST, 1, turn);
+	size_t n_turn = find_turning_points_of_cubic(beta, turn);
 	size_t n_stop = 0, n = 0;
 	stop[n_stop++] = APPEARANCE_FINEST;
 	for (size_t i = 0; i < n_turn; i++)

@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/discrepancy.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/tr.h"

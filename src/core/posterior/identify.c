@@ -5,7 +5,6 @@
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <string.h>
 
 #include "core/model/breakage.h"
 #include "core/model/selection.h"

@@ -57,7 +57,6 @@ struct worker {
 
 struct calibration {
 	struct calibrate_options options;
-	uint64_t site_digest;
 	struct misfit *misfit;
 	struct pool *pool;
 	struct kernel *kernel;
@@ -208,7 +207,6 @@ calibration_new(
 	c->options = *options;
 	c->best_misfit = INFINITY;
 	c->pool = pool_new(options->threads);
-	c->site_digest = site->digest;
 	c->misfit = calibrate_make_misfit(site, options);
 	fix_reference_energy(c->misfit, &c->options.bounds);
 	assert(c->misfit->n_residual > 0);
@@ -635,7 +633,6 @@ calibration_status(const struct calibration *c)
 	    .generation = s.generation,
 	    .step = s.generation + count_polished_batches(c),
 	    .evaluations = c->evaluations,
-	    .stall = c->stall,
 	    .best = fmin(s.best, c->best_misfit),
 	    .median = s.median,
 	    .worst = s.worst,
@@ -689,7 +686,6 @@ calibration_best_fit(struct calibration *c)
 	    .edits = c->edits,
 	    .edited_at = c->edited_at,
 	    .seed = c->options.seed,
-	    .site_digest = c->site_digest,
 	    .population = c->options.population,
 	    .settings = c->options.settings};
 	for (size_t j = 0; j < c->misfit->of->n; j++) {

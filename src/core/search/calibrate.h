@@ -90,8 +90,7 @@ const struct bounds *calibration_bounds(const struct calibration *c);
 struct calibrate_status {
 	enum calibrate_state state;
 	size_t generation, evaluations;
-	size_t step;  /* generations plus batches of the polish */
-	size_t stall; /* generations since the best last fell by 0.1 % */
+	size_t step;                /* generations plus batches of the polish */
 	double best, median, worst; /* misfits in the search's scheme */
 	size_t starts_done, starts; /* of the polish */
 	size_t trials, trials_most; /* perturbations without a gain; the polish
@@ -140,7 +139,7 @@ struct fit {
 	size_t generations, evaluations, perturbations;
 	size_t edits, edited_at; /* changes of the bounds; generation of the
 				  * last */
-	uint64_t seed, site_digest;
+	uint64_t seed;
 	size_t population;
 	struct model_settings settings;
 };

@@ -17,8 +17,8 @@
  * model's appearance; over_total: the factor of the broken mass, 1 / total
  * times the share that does not bypass the rotor (D14). */
 struct block {
-	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
-	    over_total, own[7];
+	lanes f, alpha, over_alpha, f_e0, log_e0, log_full, kept, over_total,
+	    own[7];
 	/* Set if any lane has two strengths: values for the softer rock. */
 	bool two;
 	lanes softer, share;
@@ -79,7 +79,6 @@ set_breakage_threshold(struct block *b, lanes e0)
 	double full = FULL;
 	if (b->impacts != NULL && b->impacts->number < 1)
 		full /= b->impacts->number;
-	b->e0 = e0;
 	b->f_e0 = b->f * e0;
 	b->log_e0 = lanes_log(e0);
 	b->log_full = lanes_log(full / b->f + e0);

@@ -82,14 +82,13 @@ refuse_other_file_type(struct archive *archive, const struct sheets *grid)
 	    tr("unpack it, or save the spreadsheet as .xlsx, .ods or CSV"));
 }
 
-static bool
+static void
 refuse_damaged_workbook(const struct sheets *grid, const char *wrong)
 {
 	FREED char *what =
 	    xasprintf(tr("expected a workbook, got a damaged one: %s"), wrong);
 	refuse_workbook(
 	    grid, what, tr("open and save it in a spreadsheet program"));
-	return false;
 }
 
 static bool

@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_IO_CELLS_XML_H
 #define TIPSPEED_IO_CELLS_XML_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/error.h"

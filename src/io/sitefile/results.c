@@ -14,11 +14,10 @@
 #include "io/cells/textfile.h"
 
 static bool
-is_cell_text_equal(
-    const struct sheet *sheet, size_t row, size_t i, const char *text)
+is_first_cell_equal(const struct sheet *sheet, size_t row, const char *text)
 {
 	return row < sheet->n_row &&
-	       strcmp(row_cell_at(&sheet->row[row], i).text, text) == 0;
+	       strcmp(row_cell_at(&sheet->row[row], 0).text, text) == 0;
 }
 
 static char *
@@ -34,13 +33,12 @@ command_on_about_sheet(const struct sheet *sheet)
 {
 	static const char OURS[] = "tipspeed ";
 	size_t site = 0;
-	while (
-	    site < sheet->n_row && !is_cell_text_equal(sheet, site, 0, "site"))
+	while (site < sheet->n_row && !is_first_cell_equal(sheet, site, "site"))
 		site++;
-	bool ours = is_cell_text_equal(sheet, 0, 0, "program") &&
+	bool ours = is_first_cell_equal(sheet, 0, "program") &&
 		    strncmp(row_cell_at(&sheet->row[0], 1).text, OURS,
 			strlen(OURS)) == 0;
-	return ours && is_cell_text_equal(sheet, 1, 0, "command") &&
+	return ours && is_first_cell_equal(sheet, 1, "command") &&
 		       site < sheet->n_row
 		   ? first_word(row_cell_at(&sheet->row[1], 1).text)
 		   : NULL;
@@ -49,7 +47,7 @@ command_on_about_sheet(const struct sheet *sheet)
 char *
 command_that_made_sheet(const struct sheet *sheet)
 {
-	bool table = is_cell_text_equal(sheet, 0, 0, "command") &&
+	bool table = is_first_cell_equal(sheet, 0, "command") &&
 		     sheet->row[0].n > 1 && sheet->n_row > 1;
 	return table ? first_word(sheet->row[1].cell[0].text)
 		     : command_on_about_sheet(sheet);

@@ -648,14 +648,14 @@ ask_which_site_samples(const struct site_request *q, const struct columns *all,
 }
 
 /* Asks what a column is; or a line, if the samples are in lines. */
-static bool
+static void
 ask_what_column_is(const struct site_request *q, const struct column *c,
     bool speed, struct site_ask *ask)
 {
 	const struct table *t = c->table;
 	const char *name = sample_name_or_heading(c);
 	FREED char *values = first_cells_of_column_text(t, c->at);
-	return report_question_as_fault(q, t, c->head, ask,
+	report_question_as_fault(q, t, c->head, ask,
 	    t->across ? speed ? tr("expected headings and numbers that tell "
 				   "what line %zu is, and its tip speed, got "
 				   "'%.*s' before %s")

@@ -3,8 +3,6 @@
 #ifndef TIPSPEED_IO_SITEFILE_SITE_ASK_H
 #define TIPSPEED_IO_SITEFILE_SITE_ASK_H
 
-#include <stdint.h>
-
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_request.h"
 

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/xalloc.h"
 #include "io/cells/datetime.h"
 #include "io/sitefile/lexicon.h"

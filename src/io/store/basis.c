@@ -259,7 +259,6 @@ fit_record_copy_from_material(struct fit_record *b, const struct material *m)
 	fit->generations = (size_t)m->generations;
 	fit->settings = material_model_settings(m);
 	fit->settings.breakage = (unsigned)m->params.breakage;
-	fit->site_digest = b->then->digest;
 	fit->stop = CALIBRATE_TOLERANCE;
 	while (fit->stop < CALIBRATE_STOPPED &&
 	       strcmp(calibrate_state_name(fit->stop), m->stop) != 0)

@@ -446,11 +446,10 @@ make_folders_of_store(const char *path, struct error *error)
 	FREED char *closed = xdg_make_parent_folders(path);
 	if (closed == NULL)
 		return true;
-	error_set_at(error, ERROR_SYSTEM, closed, 0, 0,
+	return error_set_at(error, ERROR_SYSTEM, closed, 0, 0,
 	    "cannot create the store's folder: %s\n"
 	    "check its permissions, or use another store: --store=PATH",
 	    strerror(errno));
-	return false;
 }
 
 static void
@@ -525,11 +524,10 @@ check_material_fields(const struct material *m, struct error *error)
 	FREED char *label = short_escaped_name(m->name),
 		   *wanted = material_valid_values_text(m, f),
 		   *found = material_faulty_value_text(m, f);
-	error_set(error, ERROR_DATA,
+	return error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
 	    "correct the source of this material",
 	    label, f->name, wanted, found);
-	return false;
 }
 
 /* Returns true if a row is unchanged since it was stored; else false with an

@@ -246,7 +246,7 @@ fit_stop_and_verdict_text(const struct tui *t, const struct entry *entry)
 {
 	struct trust light = trust_in_answer_or_fit(t->session, entry, NULL);
 	FREED char *verdict = xasprintf("%s%s%s",
-	    verdict_on_fit(t->session, entry, NULL), light.n > 0 ? ": " : "",
+	    verdict_on_fit(entry, light.light), light.n > 0 ? ": " : "",
 	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
 	if (is_calibration_of_site_running(

@@ -90,10 +90,8 @@ make_site_row(const struct session *s, size_t i)
 	/* The light of a site that is being calibrated is not known yet. */
 	row.has_light = row.has_light && session_entry_being_fitted(s) != e;
 	if (row.has_light) {
-		struct trust t = trust_in_answer_or_fit(s, e, NULL);
-		row.light = t.light;
-		row.verdict = e->has_fit ? verdict_on_fit(s, e, NULL) : NULL;
-		trust_free(&t);
+		row.light = light_of_answer_or_fit(s, e, NULL);
+		row.verdict = e->has_fit ? verdict_on_fit(e, row.light) : NULL;
 	}
 	return row;
 }

@@ -12,13 +12,11 @@
 #include <curses.h>
 
 #include "base/text.h"
-#include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
 #include "io/formats/standards.h"
-#include "io/sitefile/units.h"
 #include "tui/acts.h"
 
 /* More conditions than this are those of an envelope. */
