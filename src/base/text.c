@@ -342,6 +342,16 @@ text_is_same_folded(const char *a, const char *b)
 	return strcmp(fold_a, fold_b) == 0;
 }
 
+size_t
+text_file_ending(const char *path, const char *const *ends, size_t n)
+{
+	FREED char *folded = text_fold_case_and_accents(path);
+	size_t i = 0;
+	while (i < n && !text_ends_with(folded, ends[i]))
+		i++;
+	return i;
+}
+
 bool
 text_contains_folded(const char *text, const char *word)
 {
@@ -607,13 +617,6 @@ text_cut_to_width(const char *s, int columns)
 	return (first >= '0' && first <= '9') || letter < start + LEAST
 		   ? xstrdup("")
 		   : xasprintf("%.*s%s", (int)letter, s, MORE + 1);
-}
-
-bool
-text_needs_no_escape(const char *s)
-{
-	FREED char *shown = text_with_control_escaped(s);
-	return strcmp(shown, s) == 0;
 }
 
 void

@@ -75,6 +75,10 @@ const char *text_column_letters(int column, char buf[static 8]);
 /* True if s ends with `end` and has something before it. */
 bool text_ends_with(const char *s, const char *end);
 
+/* Returns which of n endings a file's name has, in upper or lower case, or n if
+ * it has none of them. */
+size_t text_file_ending(const char *path, const char *const *ends, size_t n);
+
 /* True if two words are the same, ignoring case and accents. */
 bool text_is_same_folded(const char *a, const char *b);
 
@@ -130,9 +134,6 @@ int text_width_in_columns(const char *s);
  * little would remain, the beginning of a word and "..".  A number is not cut,
  * as part of it would be a different number.  The caller frees the text. */
 char *text_cut_to_width(const char *s, int columns);
-
-/* True if text_with_control_escaped changes nothing. */
-bool text_needs_no_escape(const char *s);
 
 /* Prints text, escaped as by text_with_control_escaped, in lines of at most
  * width columns.  Lines are broken at spaces and indented by margin spaces,

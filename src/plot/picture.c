@@ -55,12 +55,9 @@ picture_format_of_file_name(const char *path, enum picture_form *form)
 	static const char *const ENDS[] = {[PICTURE_SVG] = ".svg",
 	    [PICTURE_PNG] = ".png",
 	    [PICTURE_PDF] = ".pdf"};
-	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++) {
-		*form = (enum picture_form)i;
-		if (text_ends_with(path, ENDS[i]))
-			return true;
-	}
-	return false;
+	const size_t n = ARRAY_LEN(ENDS), i = text_file_ending(path, ENDS, n);
+	*form = (enum picture_form)i;
+	return i < n;
 }
 
 static struct pen_paper

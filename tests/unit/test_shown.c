@@ -41,8 +41,6 @@ what_a_terminal_acts_on_is_shown(void **state)
 		fclose(out);
 		assert_string_equal(shown, wanted);
 		assert_string_equal(put, wanted);
-		assert_int_equal(
-		    text_needs_no_escape(SHOWN[i][0]), SHOWN[i][1] == NULL);
 		assert_int_equal(text_width_in_columns(SHOWN[i][0]),
 		    text_width_in_columns(wanted));
 		free(shown);

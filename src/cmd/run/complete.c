@@ -35,7 +35,8 @@ static void
 add_completion(struct work *w, const char *text, char append)
 {
 	struct completion *c = w->result;
-	if (!text_needs_no_escape(text))
+	FREED char *shown = text_with_control_escaped(text);
+	if (strcmp(shown, text) != 0)
 		return;
 	c->candidate = xrealloc(c->candidate, c->n + 1, sizeof *c->candidate);
 	c->candidate[c->n++] = (struct candidate){xstrdup(text), append};

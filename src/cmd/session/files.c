@@ -11,6 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/fs/file.h"
+#include "io/sitefile/site_write.h"
 
 struct files {
 	size_t n, uses;
@@ -103,20 +104,6 @@ files_record_written(struct session *s, const char *path)
 	record_use_of_file(s, path, true);
 }
 
-bool
-files_is_written(const struct session *s, const char *path)
-{
-	struct stat file, other;
-	const struct files *f = s->files;
-	if (f == NULL || stat(path, &file) != 0)
-		return false;
-	for (size_t i = 0; i < f->n; i++)
-		if (f->use[i].written && stat(f->use[i].path, &other) == 0 &&
-		    file.st_dev == other.st_dev && file.st_ino == other.st_ino)
-			return true;
-	return false;
-}
-
 void
 files_set_session_script_path(struct session *s, const char *path, bool saved)
 {
@@ -172,6 +159,14 @@ is_file_in_read_or_written_list(
 	return false;
 }
 
+bool
+files_is_written(const struct session *s, const char *path)
+{
+	struct stat file;
+	return stat(path, &file) == 0 &&
+	       is_file_in_read_or_written_list(s, &file, true);
+}
+
 static bool
 is_store_file(const struct session *s, const struct stat *file)
 {
@@ -218,6 +213,19 @@ files_may_overwrite(const struct session *s, const struct args *args,
 	    "%s already exists\n"
 	    "use replace=on to overwrite it",
 	    path);
+}
+
+bool
+files_write_site(struct session *s, const struct args *args,
+    const struct site *site, const char *path, struct error *error)
+{
+	size_t rows;
+	if (!files_may_overwrite(s, args, path, error) ||
+	    !site_save(site, path, &rows, error))
+		return false;
+	files_record_written(s, path);
+	session_print_note(s, "wrote %s: %zu rows", path, rows);
+	return true;
 }
 
 bool

@@ -38,6 +38,10 @@ bool files_may_write(
 bool files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error);
 
+/* Writes a site file, if files_may_overwrite, and says so. */
+bool files_write_site(struct session *s, const struct args *args,
+    const struct site *site, const char *path, struct error *error);
+
 /* Asks the user before a file is replaced that the session did not write.
  * Returns false with an error if the user declines.  Never in a script. */
 bool files_confirm_replace(

@@ -48,10 +48,6 @@ static const struct output OUTPUTS[] = {{".csv", OUTPUT_ANSWERS, ANSWER_CSV},
     {".png", OUTPUT_PICTURE, 0}, {".pdf", OUTPUT_PICTURE, 0},
     {".pdf", OUTPUT_PDF, 0}, {NULL, OUTPUT_ANSWERS, -1}};
 
-/* Workbooks that we cannot write: a spreadsheet program would call our text in
- * such a file damaged. */
-static const char *const OTHER_BOOKS[] = {".xls", ".xlsm", ".xlsb", ".ods"};
-
 /* Returns how to write the command's results to the file named in words. */
 static const struct output *
 find_output_format(const struct command *command, const struct words *words)
@@ -60,7 +56,7 @@ find_output_format(const struct command *command, const struct words *words)
 	const struct output *o = OUTPUTS;
 	for (; o->end != NULL; o++)
 		if (words->to != TO_PIPE &&
-		    text_ends_with(words->target, o->end) &&
+		    text_file_ending(words->target, &o->end, 1) == 0 &&
 		    (o->kind != OUTPUT_PICTURE || draws))
 			break;
 	return o;
@@ -126,11 +122,10 @@ redirect_is_allowed(const struct command *command, const struct words *words,
 	const char *target = words->target;
 	if (words->to == TO_PIPE)
 		return true;
-	for (size_t i = 0; i < ARRAY_LEN(OTHER_BOOKS); i++)
-		if (text_ends_with(target, OTHER_BOOKS[i]))
-			return set_error_only_xlsx(command, words, error);
 	bool image = picture_format_of_file_name(target, &form);
 	enum output_kind kind = find_output_format(command, words)->kind;
+	if (kind != OUTPUT_BOOK && !file_check_no_workbook(target, error))
+		return set_error_only_xlsx(command, words, error);
 	if (image && !picture_can_draw_format(form))
 		return error_set(error, ERROR_USAGE,
 		    "this program draws %s, not %s\n> FILE.%s works",

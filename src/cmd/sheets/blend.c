@@ -15,7 +15,6 @@
 #include "cmd/ask/question.h"
 #include "core/psd/rotor_speed.h"
 #include "io/fs/file.h"
-#include "io/sitefile/site_write.h"
 #include "io/sitefile/units.h"
 
 /* Reads "a.csv=60" or "a.csv=60%". */
@@ -191,19 +190,12 @@ static bool
 write_blend_as_sheet(struct session *s, const struct args *args,
     const struct blended *b, struct error *error)
 {
-	const char *path = args->out;
-	size_t rows;
 	struct site *site = site_new(1);
 	xfree_and_set(&site->name, xasprintf(tr("blend of %s"), b->words));
 	xfree_and_set(&site->rock, xstrdup(b->rock));
 	xfree_and_set(&site->provenance, xstrdup(b->of));
 	site->run[0].feed = psd_copy(&b->feed);
-	bool good = files_may_overwrite(s, args, path, error) &&
-		    site_save(site, path, &rows, error);
-	if (good) {
-		files_record_written(s, path);
-		session_print_note(s, "wrote %s: %zu rows", path, rows);
-	}
+	bool good = files_write_site(s, args, site, args->out, error);
 	site_free(site);
 	return good;
 }

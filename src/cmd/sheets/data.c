@@ -15,7 +15,6 @@
 #include "core/model/synth.h"
 #include "io/formats/plant_log.h"
 #include "io/fs/file.h"
-#include "io/sitefile/site_write.h"
 #include "io/store/material.h"
 #include "io/sitefile/units.h"
 
@@ -191,39 +190,24 @@ csv_path_of_site(const struct entry *entry, const char *folder)
 	return xasprintf("%s/%s.csv", folder, stem);
 }
 
-static bool
-write_site_file(struct session *s, const struct args *args,
-    const struct site *site, const char *path, struct error *error)
-{
-	size_t rows;
-	if (!files_may_overwrite(s, args, path, error)) {
-		if (error->kind == ERROR_USAGE)
-			error_set_hint(error,
-			    "use replace=on to overwrite it; write "
-			    "saves a site file, use > FILE for results");
-		return false;
-	}
-	if (!site_save(site, path, &rows, error))
-		return false;
-	files_record_written(s, path);
-	session_print_note(s, "wrote %s: %zu rows", path, rows);
-	return true;
-}
-
 bool
 cmd_write(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	struct stat info;
-	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
-	if (!folder)
-		return write_site_file(
+	bool exists = stat(path, &info) == 0;
+	if (!exists || !S_ISDIR(info.st_mode)) {
+		bool ok = files_write_site(
 		    s, args, session_current_site_entry(s)->site, path, error);
+		if (!ok && exists && !args->replace)
+			error_set_hint(error,
+			    "use replace=on to overwrite it; write "
+			    "saves a site file, use > FILE for results");
+		return ok;
+	}
 	for (size_t i = 0; i < s->n_entry; i++) {
 		FREED char *file = csv_path_of_site(&s->entry[i], path);
-		bool ok =
-		    write_site_file(s, args, s->entry[i].site, file, error);
-		if (!ok)
+		if (!files_write_site(s, args, s->entry[i].site, file, error))
 			return false;
 	}
 	return true;

@@ -279,12 +279,27 @@ file_replace_contents(const char *path, enum file_rights rights,
 }
 
 bool
+file_check_no_workbook(const char *path, struct error *error)
+{
+	static const char *const ENDS[] = {
+	    ".ods", ".xls", ".xlsb", ".xlsm", ".xlsx"};
+	const size_t n = ARRAY_LEN(ENDS);
+	return text_file_ending(path, ENDS, n) == n ||
+	       error_set(error, ERROR_USAGE,
+		   "cannot write a workbook (%s)\n"
+		   "use a name that ends in .csv: spreadsheet programs open it",
+		   path);
+}
+
+bool
 file_replace_using_writer(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error)
 {
 	FREED char *text = NULL;
 	size_t n = 0;
+	if (!file_check_no_workbook(path, error))
+		return false;
 	FILE *memory = text_open_memory(&text, &n);
 	write(data, memory);
 	return fclose(memory) == 0
@@ -340,11 +355,8 @@ file_has_sheet_ending(const char *path)
 {
 	static const char *const ENDS[] = {
 	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
-	FREED char *folded = text_fold_case_and_accents(path);
-	size_t i = 0;
-	while (i < ARRAY_LEN(ENDS) && !text_ends_with(folded, ENDS[i]))
-		i++;
-	return i < ARRAY_LEN(ENDS);
+	const size_t n = ARRAY_LEN(ENDS);
+	return text_file_ending(path, ENDS, n) < n;
 }
 
 bool

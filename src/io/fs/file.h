@@ -23,8 +23,8 @@ enum file_rights { FILE_SHARED = 0666, FILE_PRIVATE = 0600 };
 bool file_replace_contents(const char *path, enum file_rights rights,
     const char *bytes, size_t n, struct error *error);
 
-/* As file_replace_contents, with what `write` prints, which is collected in
- * memory first. */
+/* As file_replace_contents, with the text that `write` prints, which is collected
+ * in memory first; also false if file_check_no_workbook is. */
 bool file_replace_using_writer(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
@@ -44,6 +44,10 @@ char *file_real_folder(const char *path);
 
 /* True if a file's name ends like that of a sheet: .csv, .xlsx and so on. */
 bool file_has_sheet_ending(const char *path);
+
+/* Returns false with an error if a file's name ends like that of a workbook:
+ * spreadsheet programs call text in such a file damaged. */
+bool file_check_no_workbook(const char *path, struct error *error);
 
 /* Returns false, with the error that writing would give, if path is a folder or
  * not writable.  To be called before a long calibration. */
