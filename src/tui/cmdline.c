@@ -163,7 +163,8 @@ show_output_of_line(struct tui *t, const struct command *command,
 	/* Besides the error, the output may list the faults of a check or a
 	 * sheet. */
 	if (!ok && t->captured_n > 0)
-		text_print_wrapped(t->message, 0, 78, t->captured);
+		text_print_wrapped(
+		    t->message, 0, session_text_width(t->session), t->captured);
 	if (!began && (ok ? !moved_only : t->captured_n > 0))
 		captured_show_output(t);
 	if (ok && !moved_only && command == command_find("predict"))

@@ -45,6 +45,7 @@ pages_update(struct tui *t)
 	if (t->picker.on)
 		t->picker.rows->update(t);
 	response_strip_update(t);
+	t->view.rows_left = false;
 	if (pages_current(t)->update != NULL)
 		pages_current(t)->update(t);
 }

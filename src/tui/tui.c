@@ -32,8 +32,8 @@
 static const double PASTE_PAUSE = 2;
 
 /* Returns how long to wait, s, for the next thing that is due: a generation, a
- * part of the strip, a held key or the end of pasted text.  INFINITY: until
- * something happens. */
+ * part of the strip or of page Sites, a held key or the end of pasted text.
+ * INFINITY: until something happens. */
 static double
 seconds_until_next_due(const struct tui *t)
 {
@@ -46,7 +46,8 @@ seconds_until_next_due(const struct tui *t)
 	if (!asks)
 		left = fmin(left, fmin(strip_seconds_to_wait(t),
 				      word_key_delay_seconds_left(t)));
-	return left > 0 && !t->put_back.is ? left : 0;
+	bool now = t->put_back.is || (!asks && t->view.rows_left);
+	return left > 0 && !now ? left : 0;
 }
 
 /* Leaves the terminal to another program.  ^Z then stops that too, because the

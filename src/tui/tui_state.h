@@ -53,15 +53,16 @@ enum { PLOTS_DRAWN = 4 };
 /* Maximum letters in a word to search for, and in a typed speed. */
 enum { VIEWER_WORD = 31, SPEED_LETTERS = 12 };
 
-/* A row of page Sites.  entry: the index of its site in the session.  verdict:
- * on the site's own fit, or NULL.  p50: at the slider's speed, mm.  beyond:
- * that speed is outside the training speeds.  holdout: RMSE at held-out speeds,
- * points, or NAN.  light: how far to trust its parameters, if has_light. */
+/* A row of page Sites.  entry: the index of its site in the session.  judged:
+ * light and verdict are known.  verdict: on the site's own fit, or NULL.  p50:
+ * at `speed`, mm.  beyond: that speed is outside the training speeds.  holdout:
+ * RMSE at held-out speeds, points, or NAN.  light: how far to trust its
+ * parameters, if has_light. */
 struct site_row {
 	size_t entry;
 	const char *verdict;
-	double p50, holdout;
-	bool beyond, has_light;
+	double speed, p50, holdout;
+	bool beyond, judged, has_light;
 	enum light light;
 };
 
@@ -231,7 +232,7 @@ struct view {
 	struct site_row *row; /* [n_row] for page Sites, as sorted, owned */
 	size_t n_row;
 	int site_width[LIST_COLUMNS]; /* width of each column's texts */
-	double rows_at; /* speed of these rows, m/s; 0: out of date */
+	bool rows_left;               /* some are not computed yet */
 };
 
 /* A letter that may begin the name of a command, see word.h.  at: when it was

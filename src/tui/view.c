@@ -103,7 +103,6 @@ view_discard_outdated(struct tui *t)
 	const struct entry *entry = tui_current_site_entry(t);
 	t->view.revision++;
 	t->view.light_known = false;
-	t->view.rows_at = 0;
 	t->view.n_row = 0;
 	tui_free_parity(&t->view.parity);
 	discard_stale_predictions(t);

@@ -33,6 +33,11 @@ a_condition_says_the_same_in_other_words(void **state)
 	    {"34 % passing 2 of 0/4", 34, 34}, {"34 % passing", NAN, NAN},
 	    {"36 % < 2 mm", 36, 36}, {"36 < 2 mm", NAN, NAN},
 	    {"<2 mm = 30", 30, 30}, {"2 mm >= 30", 30, NAN},
+	    {"2 mm at least 30", 30, NAN}, {"2 mm at most 30 %", NAN, 30},
+	    {"at most 30 % under 2 mm", NAN, 30},
+	    {"At least 30 % passing 2 mm", 30, NAN},
+	    {"at least 30 finer than 2", 30, NAN}, {"30 % below 2 mm", 30, 30},
+	    {"at least 30 % over 2 mm", NAN, NAN}, {"max 2 mm", NAN, NAN},
 	    {"2 mm = 30..32", 30, 32}, {"2 = 30", NAN, NAN},
 	    {"P80=6.5 mm", 6.5, 6.5}, {"p80 = 6e-1", 0.6, 0.6},
 	    {"0/2 of 0/4 >= 30", NAN, NAN}, {"P80 < 10001", NAN, NAN},
@@ -67,7 +72,8 @@ what_to_write_is_said(void **state)
 	    {"0/2 >= 30, P80=6,500", "use a decimal point: 6.500"},
 	    {"p80 6.5", "write: p80 = 6.5"}, {"p80 6.5 mm", "write: p80 = 6.5"},
 	    {"passing 2 mm 38-42", "write: passing 2 mm = 38..42"},
-	    {"P50 of 0/4 2", "write: P50 of 0/4 = 2"}};
+	    {"P50 of 0/4 2", "write: P50 of 0/4 = 2"},
+	    {"max 2 mm", "write: find \"max passing 2 mm\""}};
 	(void)state;
 	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
 		struct condition_list list = {0};
@@ -103,7 +109,8 @@ a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
 {
 	static const char *const QUANTITIES[] = {"P80", "p80 6.5", "D10 1",
 	    "passing 2 mm between 38 and 42", "passing", "fines 6", "fm EN 2.7",
-	    "cu 5", "0/2 30", "share 0/2 30"};
+	    "cu 5", "0/2 30", "share 0/2 30", "2 mm at least 30",
+	    "at least 30 passing 2", "max 2 mm", "max P80"};
 	struct standards *all = standards_read_built_in();
 	(void)state;
 	assert_true(all->n > 10);

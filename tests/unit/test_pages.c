@@ -193,6 +193,26 @@ sites_are_sorted_by_a_key_or_a_click(void **state)
 }
 
 static void
+sites_are_shown_before_they_are_judged(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	press(t, "5");
+	assert_null(strstr(row_of(stage, 2), ".."));
+	control_discard_outdated_state(t);
+	frame_draw(t);
+	assert_non_null(strstr(row_of(stage, 2), t->session->entry[0].key));
+	assert_non_null(strstr(row_of(stage, 2), ".."));
+	t->aside = false;
+	do
+		pages_update(t);
+	while (t->view.rows_left);
+	t->aside = true;
+	frame_draw(t);
+	assert_null(strstr(row_of(stage, 2), ".."));
+}
+
+static void
 a_name_is_cut_when_nothing_else_is_left(void **state)
 {
 	struct stage *stage = *state;
@@ -200,7 +220,7 @@ a_name_is_cut_when_nothing_else_is_left(void **state)
 	const char *name = "a quarry with a name of fifty letters, no, of more";
 	free(t->session->entry[0].key);
 	t->session->entry[0].key = xstrdup(name);
-	t->view.rows_at = 0;
+	t->view.n_row = 0;
 	press(t, "5");
 	assert_non_null(strstr(row_of(stage, 2), name));
 	assert_non_null(strstr(row_of(stage, 1), "light"));
@@ -534,6 +554,7 @@ main(void)
 	    ON_STAGE(all_sites_are_calibrated_while_keys_are_taken),
 	    ON_STAGE(what_it_ends_with_is_what_calibrate_all_says),
 	    ON_STAGE(sites_are_sorted_by_a_key_or_a_click),
+	    ON_STAGE(sites_are_shown_before_they_are_judged),
 	    ON_STAGE(a_name_is_cut_when_nothing_else_is_left),
 	    ON_STAGE(a_doubtful_cell_is_marked_and_mended_by_a_key),
 	    ON_STAGE(all_columns_of_a_sheet_can_be_reached),

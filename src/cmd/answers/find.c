@@ -70,7 +70,9 @@ parse_goal_operand(const char *text, const struct fraction *fraction,
 {
 	bool most;
 	struct condition c = {.least = NAN, .most = NAN};
-	const char *of = conditions_parse_max_or_min(text, &most);
+	FREED char *meant = conditions_rewrite_superlative(text);
+	const char *of =
+	    meant == NULL ? conditions_parse_max_or_min(text, &most) : NULL;
 	if (of == NULL && !conditions_parse_one(text, fraction, &c, error))
 		return false;
 	if (of != NULL &&
@@ -94,7 +96,7 @@ error_conditions_without_goal(const struct args *args,
 {
 	FREED char *all = xstrdup("");
 	FREED char *first =
-	    xstrndup(args->operand[0], strcspn(args->operand[0], "<>="));
+	    quantities_text_to_type(&goal->others.at[0].quantity);
 	for (size_t i = 0; i < args->n_operand; i++)
 		xappend(&all, " \"%s\"", args->operand[i]);
 	return error_set(error, ERROR_USAGE,
@@ -107,7 +109,7 @@ error_conditions_without_goal(const struct args *args,
 		     "got only a condition\nfor the speeds at which this holds "
 		     "write window%s; for the speed that gives most add \"max "
 		     "%s\""),
-	    all, text_trim(first));
+	    all, first);
 }
 
 /* Checks that there is exactly one goal and that it is complete. */

@@ -20,7 +20,7 @@
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
-static const char DIGITS[] = "0123456789";
+static const char DIGITS[] = "0123456789", SIZE[] = "0123456789., ";
 
 /* Words for the largest and the smallest value; understood: by find. */
 static const struct extreme {
@@ -48,10 +48,13 @@ char *
 conditions_rewrite_superlative(const char *text)
 {
 	const struct extreme *e = find_extreme_word(text);
-	return e == NULL || e->understood
+	const char *of = e != NULL ? text + strlen(e->word) : "";
+	const char *unit = of + strspn(of, SIZE);
+	bool size = unit > of && strcmp(unit, "mm") == 0;
+	return e == NULL || (e->understood && !size)
 		   ? NULL
-		   : xasprintf("%s %s", e->most ? "max" : "min",
-			 text + strlen(e->word));
+		   : xasprintf("%s %s%s", e->most ? "max" : "min",
+			 size ? "passing " : "", of);
 }
 
 const char *
@@ -68,7 +71,7 @@ error_expected_condition(const char *text, struct error *error)
 	FREED char *extreme = conditions_rewrite_superlative(text);
 	if (extreme != NULL)
 		return error_set(error, ERROR_USAGE,
-		    "expected max or min, got '%s'\n"
+		    "expected max or min and a quantity, got '%s'\n"
 		    "write: find \"%s\"",
 		    text, extreme);
 	return error_set(error, ERROR_USAGE,
@@ -197,12 +200,28 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 	    "expected a number, got '%s'\nuse a decimal point: %s", got, right);
 }
 
+/* Words for the sign of a limit. */
+static const struct {
+	const char *words;
+	char sign;
+} LIMIT_WORDS[] = {{" between ", '='}, {" at least ", '>'}, {" at most ", '<'}};
+
 /* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passing
- * 2 mm = 58".  Returns NULL for other texts.  The caller frees it. */
+ * 2 mm = 58", and "at most 30 % under 2 mm" into "passing 2 mm < 30".  Returns
+ * NULL for other texts.  The caller frees it. */
 static char *
 rewrite_value_first_condition(const char *text)
 {
-	static const char *const VERBS[] = {"passing ", "passes ", "% <"};
+	static const char *const VERBS[] = {
+	    "passing ", "passes ", "under ", "below ", "finer than ", "% <"};
+	char sign = '=';
+	for (size_t i = 0; i < ARRAY_LEN(LIMIT_WORDS) && sign == '='; i++) {
+		const char *words = LIMIT_WORDS[i].words + 1;
+		if (strncasecmp(text, words, strlen(words)) != 0)
+			continue;
+		sign = LIMIT_WORDS[i].sign;
+		text += strlen(words);
+	}
 	size_t n = strspn(text, "0123456789.,");
 	const char *rest = text + n + strspn(text + n, " ");
 	for (size_t i = 0; n > 0 && i < ARRAY_LEN(VERBS); i++) {
@@ -211,8 +230,8 @@ rewrite_value_first_condition(const char *text)
 		size_t length = strlen(VERBS[i]);
 		if (strncasecmp(verb, VERBS[i], length) == 0 &&
 		    strpbrk(verb + length, "<>=") == NULL)
-			return xasprintf(
-			    "passing %s = %.*s", verb + length, (int)n, text);
+			return xasprintf("passing %s %c %.*s", verb + length,
+			    sign, (int)n, text);
 	}
 	return NULL;
 }
@@ -223,7 +242,7 @@ static char *
 name_passing_of_size(const char *text)
 {
 	const char *size = text + (text[0] == '<');
-	const char *unit = size + strspn(size, "0123456789., ");
+	const char *unit = size + strspn(size, SIZE);
 	bool named = unit > size && strncmp(unit, "mm", 2) == 0 &&
 		     strpbrk(unit, "<>=") != NULL;
 	return named ? xasprintf("passing %s", size) : NULL;
@@ -234,23 +253,20 @@ name_passing_of_size(const char *text)
 static char *
 replace_limit_words_by_sign(const char *text)
 {
-	static const struct {
-		const char *words;
-		char sign;
-	} WORDS[] = {
-	    {" between ", '='}, {" at least ", '>'}, {" at most ", '<'}};
 	char *turned = rewrite_value_first_condition(text);
-	if (turned == NULL)
-		turned = name_passing_of_size(text);
 	if (turned != NULL)
 		return turned;
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
-		const char *at = strstr(text, WORDS[i].words);
-		if (at != NULL)
-			return xasprintf("%.*s %c %s", (int)(at - text), text,
-			    WORDS[i].sign, at + strlen(WORDS[i].words));
+	FREED char *with = xstrdup(text);
+	for (size_t i = 0; i < ARRAY_LEN(LIMIT_WORDS); i++) {
+		char *at = strstr(with, LIMIT_WORDS[i].words);
+		if (at == NULL)
+			continue;
+		at[1] = LIMIT_WORDS[i].sign;
+		memset(at + 2, ' ', strlen(LIMIT_WORDS[i].words) - 2);
+		break;
 	}
-	return xstrdup(text);
+	turned = name_passing_of_size(with);
+	return turned != NULL ? turned : xstrdup(with);
 }
 
 /* For a text of a quantity, a space and a limit, returns the quantity as typed,

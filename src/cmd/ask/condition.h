@@ -107,9 +107,9 @@ char *conditions_met_speeds_text_with_units(
 char *conditions_margin_text(
     const struct conditions_search *wanted, struct margin margin);
 
-/* Returns "max 2/5" for a text such as "most 2/5", which find does not
- * understand; NULL if the text begins with no such word.  The caller frees it.
- */
+/* Returns "max 2/5" for a text such as "most 2/5", and "max passing 2 mm" for
+ * "max 2 mm", which find does not understand; NULL for other texts.  The caller
+ * frees it. */
 char *conditions_rewrite_superlative(const char *text);
 
 /* Returns the number of decimals with which a miss of so many points is not

@@ -103,13 +103,14 @@ is_last_quantity_complete(const char *text)
 	    comma != NULL ? comma + 1 : text, &PARTITION_IDEAL, &q, &none);
 }
 
-/* True if one of the words has a limit, "< 5" or "= 40..50". */
+/* True if one of the words has a limit, "< 5", "= 40..50" or "at least 5". */
 static bool
 has_limit_among_words(const struct words *words)
 {
 	for (size_t i = 1; i < words->n; i++)
 		if (strpbrk(words->text[i], "<>") != NULL ||
 		    words->text[i][0] == '=' ||
+		    text_is_same_folded(words->text[i], "at") ||
 		    strstr(words->text[i], " =") != NULL)
 			return true;
 	return false;

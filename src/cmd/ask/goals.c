@@ -41,7 +41,8 @@ bool
 goals_is_condition_text(const char *text)
 {
 	FREED char *extreme = conditions_rewrite_superlative(text);
-	return extreme != NULL || text[strcspn(text, "<>=%")] != '\0' ||
+	return extreme != NULL || conditions_is_likely_complete(text) ||
+	       text[strcspn(text, "<>=%")] != '\0' ||
 	       quantities_is_beginning_of_text(text);
 }
 

@@ -93,19 +93,37 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
     {"143", "Ended by kill, after the best so far was printed."},
     {.name = NULL}};
 
+/* Prints a word, and its meaning from column `margin` on; below it, if the word
+ * is longer or the screen narrow. */
+static void
+print_word_with_meaning(
+    const char *word, const char *meaning, int margin, int width, FILE *out)
+{
+	enum { NARROW = 50, BELOW = 6 };
+	int pad = width < NARROW ? 0 : margin - 2 - text_width_in_columns(word);
+	bool beside = pad > 0;
+	FREED char *lines = NULL;
+	size_t n = 0;
+	FILE *memory = text_open_memory(&lines, &n);
+	text_print_wrapped(meaning, beside ? margin : BELOW, width, memory);
+	fclose(memory);
+	fprintf(out, "  %s%*s%s", word, beside ? pad : 0, beside ? "" : "\n",
+	    lines + (beside ? margin : 0));
+}
+
 void
-usage_print_command_brief(const struct command *c, FILE *out)
+usage_print_command_brief(const struct command *c, int width, FILE *out)
 {
 	const char *title = command_shown_name(c),
 		   *other = command_other_name(c);
 	FREED char *name = other != NULL && title == c->name
 			       ? xasprintf("%s, %s", title, other)
 			       : xstrdup(title);
-	fprintf(out, "  %-19s %s\n", name, tr(c->brief));
+	print_word_with_meaning(name, tr(c->brief), 22, width, out);
 }
 
 void
-usage_print_command_list(const char *group, FILE *out)
+usage_print_command_list(const char *group, int width, FILE *out)
 {
 	const char *last = "";
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
@@ -119,23 +137,19 @@ usage_print_command_list(const char *group, FILE *out)
 			    strcmp(tr(its), its) != 0 ? "%s (%s)\n" : "%s\n",
 			    tr(its), its);
 		last = its;
-		usage_print_command_brief(c, out);
+		usage_print_command_brief(c, width, out);
 	}
-	fputs(tr("\n"
-		 "help COMMAND explains one, apropos WORD searches\n"),
+	fputc('\n', out);
+	text_print_wrapped(
+	    tr("help COMMAND explains one, apropos WORD searches"), 0, width,
 	    out);
 }
 
 static void
-print_option_help(const struct command_option *o, FILE *out)
+print_option_help(const struct command_option *o, int width, FILE *out)
 {
-	enum { MARGIN = 15 };
-	FREED char *words = command_option_help_text(o), *lines = NULL;
-	size_t n = 0;
-	FILE *memory = text_open_memory(&lines, &n);
-	text_print_wrapped(words, MARGIN, 78, memory);
-	fclose(memory);
-	fprintf(out, "  %-*s%s", MARGIN - 2, o->name, lines + MARGIN);
+	FREED char *words = command_option_help_text(o);
+	print_word_with_meaning(o->name, words, 15, width, out);
 }
 
 void
@@ -151,31 +165,35 @@ usage_print_example(const struct command *c, const char *margin, FILE *out)
 /* Prints the names of the command's shared options, which `help options`
  * explains. */
 static void
-print_shared_option_names(const struct command *c, FILE *out)
+print_shared_option_names(const struct command *c, int width, FILE *out)
 {
 	FREED char *names = command_shared_option_names(c);
 	FREED char *line = xasprintf(tr("also takes %s: help options"), names);
 	if (names[0] != '\0')
-		text_print_wrapped(line, 2, 78, out);
+		text_print_wrapped(line, 2, width, out);
 }
 
 void
-usage_print_shared_options(FILE *out)
+usage_print_shared_options(int width, FILE *out)
 {
 	const struct command_option *o;
-	fputs(tr("Options of many commands; help COMMAND names those it "
-		 "takes.\n\n"),
-	    out);
+	text_print_wrapped(
+	    tr("Options of many commands; help COMMAND names those it takes."),
+	    0, width, out);
+	fputc('\n', out);
 	for (size_t i = 0; (o = command_shared_option_at(i)) != NULL; i++)
-		print_option_help(o, out);
+		print_option_help(o, width, out);
 }
 
 void
-usage_print_command_help(const struct command *c, FILE *out)
+usage_print_command_help(const struct command *c, int width, FILE *out)
 {
 	const char *operands = c->operands.usage;
 	const struct command_option *o = command_option_at(c, 0);
-	fprintf(out, "%s - %s\n\n", command_shown_name(c), tr(c->brief));
+	FREED char *title =
+	    xasprintf("%s - %s", command_shown_name(c), tr(c->brief));
+	text_print_wrapped(title, 0, width, out);
+	fputc('\n', out);
 	FREED char *usage = xstrdup(command_shown_name(c));
 	if (operands != NULL)
 		xappend(&usage, " %s", operands);
@@ -183,18 +201,18 @@ usage_print_command_help(const struct command *c, FILE *out)
 		xappend(&usage, " [%s]", c->bare);
 	if (o != NULL)
 		xappend(&usage, " %s", tr("[OPTION=VALUE...]"));
-	text_print_hanging(usage, 2, 6, 78, out);
+	text_print_hanging(usage, 2, 6, width, out);
 	if (c->alias != NULL)
 		fprintf(out, tr("  also called %s\n"), command_other_name(c));
-	print_shared_option_names(c, out);
+	print_shared_option_names(c, width, out);
 	fputc('\n', out);
-	text_print_wrapped(tr(c->text), 2, 78, out);
+	text_print_wrapped(tr(c->text), 2, width, out);
 	if (c->more != NULL)
 		fputs(tr("  tipspeed(1) says more.\n"), out);
 	for (size_t i = 0; (o = command_own_option_at(c, i)) != NULL; i++) {
 		if (i == 0)
 			fputs(tr("\noptions\n"), out);
-		print_option_help(o, out);
+		print_option_help(o, width, out);
 	}
 	fputs(tr("\nexample\n"), out);
 	usage_print_example(c, "  ", out);
@@ -221,24 +239,23 @@ print_program_options(FILE *out)
 
 static void
 print_words_with_meanings(
-    const char *title, const struct usage_word *word, FILE *out)
+    const char *title, const struct usage_word *word, int width, FILE *out)
 {
 	fprintf(out, "\n%s\n", tr(title));
-	for (; word->name != NULL; word++) {
-		fprintf(out, "  %s\n", tr(word->name));
-		text_print_wrapped(tr(word->meaning), 6, 78, out);
-	}
+	for (; word->name != NULL; word++)
+		print_word_with_meaning(
+		    tr(word->name), tr(word->meaning), 0, width, out);
 }
 
 void
-usage_print_trust_lights(FILE *out)
+usage_print_trust_lights(int width, FILE *out)
 {
 	text_print_wrapped(
 	    tr("Every answer ends in a light, which says whether it can "
 	       "be trusted, and the worst reason. 'why' lists all "
 	       "reasons, and what to do about each."),
-	    0, 78, out);
-	print_words_with_meanings(N_("trust"), USAGE_TRUST, out);
+	    0, width, out);
+	print_words_with_meanings(N_("trust"), USAGE_TRUST, width, out);
 	fputs("\n", out);
 	text_print_wrapped(
 	    tr("Between three or more measured speeds the measurements "
@@ -247,12 +264,13 @@ usage_print_trust_lights(FILE *out)
 	       "amber, and far beyond red: no measurement shows what the "
 	       "machine does there. 'man model' has the rules, and how "
 	       "often each light was right."),
-	    0, 78, out);
+	    0, width, out);
 }
 
 void
 usage_print_program_help(FILE *out)
 {
+	enum { WIDTH = 78 };
 	fputs(
 	    tr("usage: tipspeed [-c CMD]... [-f FILE]... [OPTION]... "
 	       "[FILE...]\n"
@@ -262,7 +280,8 @@ usage_print_program_help(FILE *out)
 	    out);
 	print_program_options(out);
 	fputs(tr("\ncommands\n"), out);
-	usage_print_command_list(NULL, out);
-	print_words_with_meanings(N_("environment"), USAGE_ENVIRONMENT, out);
-	print_words_with_meanings(N_("exit status"), USAGE_STATUS, out);
+	usage_print_command_list(NULL, WIDTH, out);
+	print_words_with_meanings(
+	    N_("environment"), USAGE_ENVIRONMENT, WIDTH, out);
+	print_words_with_meanings(N_("exit status"), USAGE_STATUS, WIDTH, out);
 }

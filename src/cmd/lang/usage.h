@@ -41,20 +41,22 @@ extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[],
     USAGE_TRUST[];
 
 /* Prints the list of the commands in a group, or in all groups if group is
- * NULL. */
-void usage_print_command_list(const char *group, FILE *out);
+ * NULL.  width: here and below, the columns that text is wrapped to. */
+void usage_print_command_list(const char *group, int width, FILE *out);
 
 /* Prints the options that many commands share. */
-void usage_print_shared_options(FILE *out);
+void usage_print_shared_options(int width, FILE *out);
 
 /* Explains the light at the end of answers. */
-void usage_print_trust_lights(FILE *out);
+void usage_print_trust_lights(int width, FILE *out);
 
-/* usage_print_command_brief prints a command on one line;
+/* usage_print_command_brief prints a command's name and what it does;
  * usage_print_command_help all that the table has about it; usage_print_example
  * the lines of its example, each after the margin. */
-void usage_print_command_brief(const struct command *command, FILE *out);
-void usage_print_command_help(const struct command *command, FILE *out);
+void usage_print_command_brief(
+    const struct command *command, int width, FILE *out);
+void usage_print_command_help(
+    const struct command *command, int width, FILE *out);
 void usage_print_example(
     const struct command *command, const char *margin, FILE *out);
 

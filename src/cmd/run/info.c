@@ -17,33 +17,6 @@
 #include "core/numeric/isa.h"
 #include "plot/picture.h"
 
-/* Prints help for a new user. */
-static void
-print_getting_started(FILE *out)
-{
-	fputs(tr("In the order of work, for the site file quarry.csv:\n"
-		 "  load quarry.csv    check    calibrate    validate    "
-		 "predict 74\n\n"),
-	    out);
-	const char *last = "";
-	FREED char *groups = xstrdup("");
-	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (c->flags & COMMAND_DAILY)
-			usage_print_command_brief(c, out);
-		if (strcmp(command_group_name(c), last) != 0)
-			xappend_to_list(
-			    &groups, ", ", "%s", command_group_name(c));
-		last = command_group_name(c);
-	}
-	fprintf(out, tr("\ngroups: %s\n"), groups);
-	fputs(tr("help all lists all commands, help GROUP those of a group, "
-		 "help COMMAND explains\none, help options what many take, "
-		 "help trust the light; apropos WORD searches.\n"
-		 "undo undoes the last change, quit exits; man tutorial is for "
-		 "the first hour.\n"),
-	    out);
-}
-
 /* Returns where help goes: people read it, so it goes to the notes if results
  * are JSON or CSV. */
 static FILE *
@@ -51,6 +24,43 @@ help_output_stream(const struct session *s)
 {
 	bool exact = ANSWER_FORMATS[s->set.format].exact;
 	return !exact || s->notes == NULL ? s->out : s->notes;
+}
+
+/* Prints help for a new user. */
+static void
+print_getting_started(const struct session *s)
+{
+	const int width = session_text_width(s);
+	FILE *out = help_output_stream(s);
+	text_print_wrapped(
+	    tr("In the order of work, for the site file quarry.csv:"), 0, width,
+	    out);
+	text_print_wrapped(
+	    "  load quarry.csv, check, calibrate, validate, predict 74", 0,
+	    width, out);
+	fputc('\n', out);
+	const char *last = "";
+	FREED char *groups = xstrdup("");
+	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
+		if (c->flags & COMMAND_DAILY)
+			usage_print_command_brief(c, width, out);
+		if (strcmp(command_group_name(c), last) != 0)
+			xappend_to_list(
+			    &groups, ", ", "%s", command_group_name(c));
+		last = command_group_name(c);
+	}
+	FREED char *line = xasprintf(tr("groups: %s"), groups);
+	fputc('\n', out);
+	text_print_wrapped(line, 0, width, out);
+	text_print_wrapped(
+	    tr("help all lists all commands, help GROUP those of a group, "
+	       "help COMMAND explains one, help options what many take, "
+	       "help trust the light; apropos WORD searches."),
+	    0, width, out);
+	text_print_wrapped(
+	    tr("undo undoes the last change, quit exits; man tutorial is for "
+	       "the first hour."),
+	    0, width, out);
 }
 
 static bool
@@ -95,7 +105,8 @@ print_commands_with_word(const struct session *s, const char *word)
 	size_t found = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (command_help_has_word(c, folded)) {
-			usage_print_command_brief(c, help_output_stream(s));
+			usage_print_command_brief(
+			    c, session_text_width(s), help_output_stream(s));
 			found++;
 		}
 	return found;
@@ -132,6 +143,7 @@ find_two_word_command(const char *words)
 bool
 cmd_help(struct session *s, const struct args *args, struct error *error)
 {
+	const int width = session_text_width(s);
 	FILE *out = help_output_stream(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : NULL;
 	bool example = args->n_operand == 2;
@@ -150,17 +162,17 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	if (command != NULL && example)
 		usage_print_example(command, "", out);
 	else if (command != NULL)
-		usage_print_command_help(command, out);
+		usage_print_command_help(command, width, out);
 	else if (name == NULL)
-		print_getting_started(out);
+		print_getting_started(s);
 	else if (strcmp(name, "all") == 0 && !example)
-		usage_print_command_list(NULL, out);
+		usage_print_command_list(NULL, width, out);
 	else if (strcmp(name, "options") == 0 && !example)
-		usage_print_shared_options(out);
+		usage_print_shared_options(width, out);
 	else if (strcmp(name, "trust") == 0 && !example)
-		usage_print_trust_lights(out);
+		usage_print_trust_lights(width, out);
 	else if (is_command_group(name) && !example)
-		usage_print_command_list(name, out);
+		usage_print_command_list(name, width, out);
 	else
 		return (!example && command_nearest_name(name) == NULL &&
 			   print_commands_with_word(s, name) > 0) ||
@@ -188,7 +200,8 @@ show_help_for_missing_man_page(const struct session *s,
 	const struct command *command = command_find(name);
 	const char *near = command_nearest_name(name);
 	if (command != NULL) {
-		usage_print_command_help(command, help_output_stream(s));
+		usage_print_command_help(
+		    command, session_text_width(s), help_output_stream(s));
 		return true;
 	}
 	value_parse(page, name, &value, error);
@@ -216,7 +229,8 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	if (!s->safe && s->hooks.show_manual_page != NULL &&
 	    s->hooks.show_manual_page(PAGES[i]))
 		return true;
-	usage_print_command_list(NULL, help_output_stream(s));
+	usage_print_command_list(
+	    NULL, session_text_width(s), help_output_stream(s));
 	if (s->safe)
 		session_print_note(s,
 		    "man is not available with --safe; these are the "

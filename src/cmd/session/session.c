@@ -118,6 +118,8 @@ bool
 session_show_answer(struct session *s, struct answer *answer)
 {
 	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
+	if (session_text_width(s) < SESSION_TEXT_WIDTH)
+		answer_set_width(answer, s->screen.columns);
 	if (s->hooks.clear_progress != NULL)
 		s->hooks.clear_progress();
 	if (s->book != NULL)
@@ -139,6 +141,14 @@ session_set_translation_by_format(const struct session *s)
 	tr_set_enabled(!ANSWER_FORMATS[s->set.format].exact);
 }
 
+int
+session_text_width(const struct session *s)
+{
+	int columns = s->screen.columns - 1;
+	return columns > 0 && columns < SESSION_TEXT_WIDTH ? columns
+							   : SESSION_TEXT_WIDTH;
+}
+
 void
 session_print_note(const struct session *s, const char *format, ...)
 {
@@ -151,7 +161,7 @@ session_print_note(const struct session *s, const char *format, ...)
 	va_end(ap);
 	if (s->hooks.clear_progress != NULL)
 		s->hooks.clear_progress();
-	text_print_wrapped(text, 0, 78, s->notes);
+	text_print_wrapped(text, 0, session_text_width(s), s->notes);
 }
 
 bool

@@ -209,6 +209,11 @@ const char *session_text_in_last_answer(
  * each change of the results' format. */
 void session_set_translation_by_format(const struct session *s);
 
+/* Returns the width that text for people is wrapped to: the usual one, or that
+ * of a narrower screen. */
+enum { SESSION_TEXT_WIDTH = 78 };
+int session_text_width(const struct session *s);
+
 /* Prints a line to notes. */
 void session_print_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -5,6 +5,7 @@
 #include <assert.h>
 #include <ctype.h>
 #include <jansson.h>
+#include <limits.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -1046,8 +1047,8 @@ answer_transpose(struct answer *a)
 }
 
 /* Returns which columns are shown [n_column]: all but those that can be spared
- * and do not fit into *room, which is enlarged if the others need more.  The
- * caller frees it. */
+ * and do not fit into *room, which is enlarged if the others need more, unless
+ * the screen is narrow.  The caller frees it. */
 static bool *
 choose_columns_to_show(const struct table *t, int *room)
 {
@@ -1064,7 +1065,8 @@ choose_columns_to_show(const struct table *t, int *room)
 			shown[c] = true;
 			width = wide;
 		}
-	*room = most > 0 && width > *room ? width : *room;
+	if (most > 0 && width > *room && *room >= SCREEN)
+		*room = width;
 	return shown;
 }
 
@@ -1072,7 +1074,8 @@ static size_t
 print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	int room = answer->room;
+	int room = answer->room, wrap = room < SCREEN ? room : SCREEN,
+	    heading = room < SCREEN ? room : INT_MAX;
 	FREED bool *shown = choose_columns_to_show(&answer->table[0], &room);
 	struct answer *a = copy_answer_converting_texts(
 	    text_with_control_escaped, answer, shown);
@@ -1081,9 +1084,11 @@ print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 	if (turned)
 		answer_transpose(a);
 	if (a->title != NULL)
-		fprintf(out, "%s\n", a->title);
-	if (a->provenance != NULL)
-		fprintf(out, tr("data: %s\n"), a->provenance);
+		text_print_wrapped(a->title, 0, heading, out);
+	if (a->provenance != NULL) {
+		FREED char *data = xasprintf(tr("data: %s"), a->provenance);
+		text_print_wrapped(data, 0, heading, out);
+	}
 	size_t rows = count_table_rows(t);
 	struct form f = lay_out_table_columns(t, room);
 	size_t from = f.n_key;
@@ -1100,7 +1105,7 @@ print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 	}
 	free_table_layout(&f);
 	for (size_t i = 0; i < a->n_sentence; i++)
-		text_print_wrapped(a->sentence[i].text, 0, SCREEN, out);
+		text_print_wrapped(a->sentence[i].text, 0, wrap, out);
 	answer_free(a);
 	return rows;
 }

@@ -65,6 +65,7 @@ compute_site_row_p50(struct site_row *row, const struct tui *t)
 	const struct entry *e = &s->entry[row->entry];
 	double speed = tui_slider_speed(t);
 	struct error error = {0};
+	row->speed = speed;
 	row->p50 = NAN;
 	row->beyond = false;
 	if (!answers_require_params(s, e, &error))
@@ -78,22 +79,24 @@ compute_site_row_p50(struct site_row *row, const struct tui *t)
 	prediction_free(&p);
 }
 
-/* Returns the row of a site, except for what depends on the speed. */
-static struct site_row
-make_site_row(const struct session *s, size_t i)
+/* Finds the light of a site.  That of a site that is being calibrated is not
+ * known yet. */
+static void
+judge_site_of_row(struct site_row *row, const struct session *s)
 {
-	const struct entry *e = &s->entry[i];
-	struct site_row row = {.entry = i,
-	    .p50 = NAN,
-	    .has_light = e->has_params,
-	    .holdout = e->has_fit ? 100 * fit_largest_holdout_rmse(e) : NAN};
-	/* The light of a site that is being calibrated is not known yet. */
-	row.has_light = row.has_light && session_entry_being_fitted(s) != e;
-	if (row.has_light) {
-		row.light = light_of_answer_or_fit(s, e, NULL);
-		row.verdict = e->has_fit ? verdict_on_fit(e, row.light) : NULL;
-	}
-	return row;
+	const struct entry *e = &s->entry[row->entry];
+	row->judged = true;
+	row->has_light = e->has_params && session_entry_being_fitted(s) != e;
+	if (!row->has_light)
+		return;
+	row->light = light_of_answer_or_fit(s, e, NULL);
+	row->verdict = e->has_fit ? verdict_on_fit(e, row->light) : NULL;
+}
+
+static bool
+is_row_computed(const struct tui *t, const struct site_row *row)
+{
+	return row->judged && row->speed == tui_slider_speed(t);
 }
 
 /* Returns "69 o74 79", with o for held-out speeds, like the signs of the track;
@@ -203,9 +206,14 @@ site_list_cell_text(const struct tui *t, size_t i, int column)
 	const struct site_row *row = &t->view.row[i];
 	const struct entry *e = &s->entry[row->entry];
 	char *progress;
+	if (column == P50 ? !is_row_computed(t, row)
+			  : !row->judged && column == PARAMETERS)
+		return xstrdup("..");
 	switch ((enum column)column) {
 	case LIGHT:
 		progress = calibration_progress_text(t, row->entry);
+		if (progress == NULL && !row->judged)
+			return xstrdup("..");
 		return progress != NULL ? progress
 		       : row->has_light ? xstrdup(tr(LIGHT_NAME[row->light]))
 					: xstrdup("-");
@@ -305,30 +313,53 @@ colour_of_light_cell(const struct tui *t, size_t i, int column,
 static const struct list_table TABLE = {COLUMN, COLUMNS, site_list_cell_text,
     colour_of_light_cell, sort_sites_by_column};
 
-/* Computes the rows.  What does not depend on the speed is computed only if the
- * session has changed (rows_at 0). */
+/* Makes the rows if the session has changed, without what takes time. */
+static void
+make_rows_of_page_sites(struct tui *t)
+{
+	const struct session *s = t->session;
+	if (t->view.n_row == s->n_entry)
+		return;
+	free(t->view.row);
+	t->view.n_row = s->n_entry;
+	t->view.row = xcalloc(t->view.n_row + 1, sizeof *t->view.row);
+	for (size_t i = 0; i < t->view.n_row; i++) {
+		const struct entry *e = &s->entry[i];
+		t->view.row[i] = (struct site_row){.entry = i,
+		    .p50 = NAN,
+		    .holdout =
+			e->has_fit ? 100 * fit_largest_holdout_rmse(e) : NAN};
+	}
+	table_measure_columns(t, &TABLE, t->view.n_row, t->view.site_width);
+	sites_sort_rows(t);
+}
+
+/* Computes rows until the time for a frame is over; the rest is left to the
+ * next rounds, between which keys are read. */
 static void
 update_rows_of_page_sites(struct tui *t)
 {
-	const struct session *s = t->session;
-	bool other = t->view.rows_at == 0 || t->view.n_row != s->n_entry;
-	if (!other && t->view.rows_at == tui_slider_speed(t))
-		return;
-	if (other) {
-		free(t->view.row);
-		t->view.n_row = s->n_entry;
-		t->view.row = xcalloc(t->view.n_row + 1, sizeof *t->view.row);
-		for (size_t i = 0; i < t->view.n_row; i++)
-			t->view.row[i] = make_site_row(s, i);
+	static const double FRAME = 0.05; /* s */
+	const double began = session_clock_seconds();
+	size_t i = 0, n = 0;
+	make_rows_of_page_sites(t);
+	for (; i < t->view.n_row; i++) {
+		struct site_row *row = &t->view.row[i];
+		if (is_row_computed(t, row))
+			continue;
+		if (n++ > 0 && !t->aside &&
+		    session_clock_seconds() - began >= FRAME)
+			break;
+		if (!row->judged)
+			judge_site_of_row(row, t->session);
+		compute_site_row_p50(row, t);
 	}
-	for (size_t i = 0; i < t->view.n_row; i++)
-		compute_site_row_p50(&t->view.row[i], t);
-	if (other)
+	t->view.rows_left = i < t->view.n_row;
+	if (n > 0) {
 		table_measure_columns(
 		    t, &TABLE, t->view.n_row, t->view.site_width);
-	if (other || t->ui.sort == P50 + 1)
 		sites_sort_rows(t);
-	t->view.rows_at = tui_slider_speed(t);
+	}
 }
 
 /* ---- On the screen ---- */
@@ -413,7 +444,7 @@ sites_page_draw(struct tui *t)
 {
 	enum { HEAD = 1, GAPS = 2 };
 	const struct area area = pane_list_area(t);
-	update_rows_of_page_sites(t);
+	make_rows_of_page_sites(t);
 	if (t->session->n_entry == 0) {
 		screen_draw_text(
 		    &area, 0, 2, 0, "none is loaded: o opens a sheet");

@@ -13,11 +13,35 @@
 #include "tui/pane.h"
 #include "tui/screen.h"
 
+/* Returns the text with its long lines wrapped to the screen, but those of
+ * tables, which have more than a space between two columns. */
+static char *
+wrap_long_lines(const char *text)
+{
+	int rows, columns;
+	char *all = NULL;
+	size_t size = 0, n;
+	screen_size(&rows, &columns);
+	FILE *out = text_open_memory(&all, &size);
+	for (const char *p = text; *p != '\0'; p += n + (p[n] == '\n')) {
+		n = strcspn(p, "\n");
+		FREED char *line = xstrndup(p, n);
+		if (strstr(line + strspn(line, " "), "  ") != NULL ||
+		    text_width_in_columns(line) <= columns)
+			fprintf(out, "%s\n", line);
+		else
+			text_print_wrapped(line, 0, columns, out);
+	}
+	fclose(out);
+	return all;
+}
+
 /* Splits the text into lines, and finds the width of the longest. */
 static void
 viewer_split_into_lines(struct viewer *v)
 {
-	for (const char *p = v->text; *p != '\0'; v->lines++) {
+	FREED char *text = wrap_long_lines(v->text);
+	for (const char *p = text; *p != '\0'; v->lines++) {
 		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
 		int columns = text_width_in_columns(line);
@@ -102,7 +126,7 @@ viewer_show_long_message(struct tui *t)
 	if (text_count_rows(t->message, columns) >
 		layout_count_message_rows(&l) &&
 	    t->viewer.text == NULL)
-		viewer_show_text(t, text_wrapped(t->message, columns));
+		viewer_show_text(t, xstrdup(t->message));
 }
 
 static bool
