@@ -31,8 +31,8 @@ void site_chart_set_point_with_band(
     struct chart_series *s, size_t k, double x, struct figure at);
 
 /* Completes a series of figures.  A point without a band gets one of no width,
- * and one whose lower end lies below the finest sieve a band on one side.  If no point has a band,
- * the series has none either. */
+ * and one whose lower end lies below the finest sieve a band on one side.  If
+ * no point has a band, the series has none either. */
 void site_chart_close_band_at_gaps(struct chart_series *s);
 
 /* Fills line [n], series with equally many points, with the first n quantities

@@ -51,8 +51,8 @@ struct validation validate_run(const struct site *site, size_t run,
 
 /* Returns the passings [VALIDATE_WAYS][n], 0..1, that the ways predict for the
  * run at its n covered sieves, or NAN if a way has no answer, as
- * VALIDATE_CORRECTED if corrected is NULL.  corrected: passings of the corrected
- * answer at these sieves.  The caller frees the result. */
+ * VALIDATE_CORRECTED if corrected is NULL.  corrected: passings of the
+ * corrected answer at these sieves.  The caller frees the result. */
 double *validate_predict_by_all_ways(const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
     const double *corrected);
