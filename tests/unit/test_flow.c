@@ -206,6 +206,9 @@ what_is_not_fed_and_what_never_leaves_is_found(void **state)
 	assert_int_equal(circuit_find_unfed_unit(c), 4);
 	assert_int_equal(circuit_find_trapped_stream(c),
 	    circuit_find_or_add_stream(c, "ring"));
+	assert_int_equal(circuit_destination_of_stream(
+			     c, circuit_find_or_add_stream(c, "ring")),
+	    4);
 	circuit_free(c);
 }
 
