@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/feed.h"
 #include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
@@ -144,21 +145,11 @@ worst_guessed_material_name(const struct guess_sources *b)
 }
 
 static void
-put_leave_one_out_error(struct fields *o, const struct guess_sources *b)
-{
-	const struct guess_error *e = &b->error;
-	fields_put_values(fields_add_object(o, "leave_one_site_out"),
-	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
-	    "feed_rmse_pct %g held_pct %g",
-	    "reconstructed from Table 3", e->n, 100 * e->median, 100 * e->worst,
-	    worst_guessed_material_name(b), 100 * e->feed, 100 * e->held);
-}
-
-static void
 put_guessed_product_fields(
     struct answer *r, const struct guess_sources *b, const struct guess *guess)
 {
 	struct fields *o = answer_json_fields(r);
+	const struct guess_error *e = &b->error;
 	double top = b->wanted.top_size;
 	fields_put_values(o, "calibrated %d rock %s top_size_mm %g speed %g",
 	    false, b->wanted.rock, top > 0 ? units_m_to_mm(top) : NAN,
@@ -172,6 +163,11 @@ put_guessed_product_fields(
 		    1000 * range->low, 1000 * range->high);
 	}
 	put_picked_materials(o, b);
+	fields_put_values(fields_add_object(o, "leave_one_site_out"),
+	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
+	    "feed_rmse_pct %g held_pct %g",
+	    "reconstructed from Table 3", e->n, 100 * e->median, 100 * e->worst,
+	    worst_guessed_material_name(b), 100 * e->feed, 100 * e->held);
 }
 
 static struct answer *
@@ -429,17 +425,19 @@ note_material_nearest_to_product(
 }
 
 static void
-show_guessed_product(struct session *s, const struct site *site,
+show_guessed_product(struct session *s, const struct question *q,
     const struct guess_sources *b, const struct guess *guess)
 {
+	const struct site *site = q->entry->site;
 	struct answer *r = build_guessed_product_answer(site, guess);
 	note_guessed_product_sizes(r, guess);
 	note_basis_of_guess(r, b);
 	note_material_nearest_to_product(r, site, b);
 	warn_if_beyond_material_speeds(r, b, guess->speed);
 	note_leave_one_out_error(r, b);
+	feed_add_note_to_answer(r, site, q->feed, NULL, 0);
+	feed_note_assumed_top_size(r, site, NULL);
 	put_guessed_product_fields(r, b, guess);
-	put_leave_one_out_error(answer_json_fields(r), b);
 	session_show_answer(s, r);
 }
 
@@ -457,7 +455,7 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
 		pick_nearest_materials(&b, args->nearest, q->speed);
 		struct guess guess = guess_psd_from_materials(
 		    site, q->feed, b.m, b.pick, b.n, q->speed);
-		show_guessed_product(s, site, &b, &guess);
+		show_guessed_product(s, q, &b, &guess);
 		guess_free(&guess);
 	}
 	guess_sources_free(&b);
