@@ -224,8 +224,9 @@ append_paths(
     char **line, const struct command_option *o, bool key, const char *path)
 {
 	FREED char *paths = call_paths_map(o, path, absolute_path, NULL);
-	FREED char *whole =
-	    key ? xasprintf("%s=%s", o->name, paths) : xstrdup(paths);
+	FREED char *whole = o != NULL && key
+				? xasprintf("%s=%s", o->name, paths)
+				: xstrdup(paths);
 	journal_append_quoted_word(line, whole);
 }
 
