@@ -199,7 +199,8 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 	if (!exists || !S_ISDIR(info.st_mode)) {
 		bool ok = files_write_site(
 		    s, args, session_current_site_entry(s)->site, path, error);
-		if (!ok && exists && !args->replace)
+		if (!ok && exists && !args->replace &&
+		    error->kind == ERROR_USAGE)
 			error_set_hint(error,
 			    "use replace=on to overwrite it; write "
 			    "saves a site file, use > FILE for results");

@@ -178,8 +178,8 @@ void trust_judge_answer(
 void trust_free(struct trust *t);
 
 /* Returns the change in an ensemble's answers, passing 0..1, for one standard
- * deviation of a parameter: the root mean square over its sieves, at
- * the ensemble's speed. */
+ * deviation of a parameter: the root mean square over its sieves, at the
+ * ensemble's speed. */
 double trust_answer_change_per_param_sd(
     const struct posterior *p, struct ensemble *e, const char *parameter);
 
