@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/cells/source.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,25 +21,6 @@
 static const struct sheet_limits SITE = {20000, SOURCE_MOST_COLUMNS,
 				     SOURCE_MOST_CELLS, 200000},
 				 LOG = {.rows = 200000};
-
-static const char OLE[] = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
-
-static bool
-begins_with_bytes(const char *bytes, size_t n, const char *with)
-{
-	return n >= strlen(with) && memcmp(bytes, with, strlen(with)) == 0;
-}
-
-/* True for workbooks, including .xls and those with a password.  An empty zip
- * archive begins with PK\5\6, a split one with PK\7\8. */
-static bool
-is_workbook_content(const char *bytes, size_t n)
-{
-	return begins_with_bytes(bytes, n, "PK\3\4") ||
-	       begins_with_bytes(bytes, n, "PK\5\6") ||
-	       begins_with_bytes(bytes, n, "PK\7\x8") ||
-	       begins_with_bytes(bytes, n, OLE);
-}
 
 static bool
 refuse_workbook(const struct sheets *grid, const char *what, const char *step)
@@ -82,12 +64,12 @@ refuse_other_file_type(struct archive *archive, const struct sheets *grid)
 	    tr("unpack it, or save the spreadsheet as .xlsx, .ods or CSV"));
 }
 
-static void
+static bool
 refuse_damaged_workbook(const struct sheets *grid, const char *wrong)
 {
 	FREED char *what =
 	    xasprintf(tr("expected a workbook, got a damaged one: %s"), wrong);
-	refuse_workbook(
+	return refuse_workbook(
 	    grid, what, tr("open and save it in a spreadsheet program"));
 }
 
@@ -111,36 +93,70 @@ read_archive_to_grid(struct archive *archive, struct sheets *grid)
 		    tr("save it without a password"));
 	FREED char *wrong =
 	    xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
-	sheets_note_omitted_remarks(grid);
-	if (wrong != NULL)
-		refuse_damaged_workbook(grid, wrong);
-	else if (grid->n == 0 && grid->note[0] != '\0')
-		refuse_workbook(grid,
-		    tr("expected a sheet with sieves, got none"), grid->note);
-	else if (grid->n == 0)
-		refuse_workbook(grid,
-		    tr("expected cells with values, got an empty workbook"),
-		    tr("save it again in the program that wrote it"));
-	return wrong == NULL && grid->n > 0;
+	return wrong == NULL || refuse_damaged_workbook(grid, wrong);
 }
 
-/* Reads an .xlsx, .xlsm or .ods file, recognised by its content.  Returns false
- * with one fault if it is of another kind, damaged, encrypted or empty. */
 static bool
-read_workbook_to_grid(const char *bytes, size_t n, struct sheets *grid)
+read_zip_to_grid(const char *bytes, size_t n, struct sheets *grid)
 {
 	FREED char *wrong = NULL;
-	if (begins_with_bytes(bytes, n, OLE))
-		return refuse_workbook(grid,
-		    tr("expected .xlsx, .ods or text, got an old .xls or a "
-		       "workbook with a password"),
-		    tr("save it as .xlsx without a password"));
 	struct archive *archive = archive_open(bytes, n, &wrong);
-	bool good = archive != NULL && read_archive_to_grid(archive, grid);
-	if (archive == NULL)
-		refuse_damaged_workbook(grid, wrong);
+	bool good = archive != NULL ? read_archive_to_grid(archive, grid)
+				    : refuse_damaged_workbook(grid, wrong);
 	archive_close(archive);
 	return good;
+}
+
+/* Refuses .xls and workbooks with a password. */
+static bool
+refuse_ole_file(const char *bytes, size_t n, struct sheets *grid)
+{
+	(void)bytes, (void)n;
+	return refuse_workbook(grid,
+	    tr("expected .xlsx, .ods or text, got an old .xls or a workbook "
+	       "with a password"),
+	    tr("save it as .xlsx without a password"));
+}
+
+/* Puts the cells of a file into the grid.  Returns false with one fault if that
+ * is not possible. */
+typedef bool read_to_grid(const char *bytes, size_t n, struct sheets *grid);
+
+/* Kinds of files that are not read as text, by their first bytes.  An empty zip
+ * archive begins with PK\5\6, a split one with PK\7\8. */
+static const struct {
+	const char *begin;
+	read_to_grid *read;
+} KINDS[] = {{"PK\3\4", read_zip_to_grid}, {"PK\5\6", read_zip_to_grid},
+    {"PK\7\x8", read_zip_to_grid},
+    {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", refuse_ole_file}};
+
+/* Returns how a file of cells is read, or NULL for text. */
+static read_to_grid *
+find_reader_of_kind(const char *bytes, size_t n)
+{
+	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++) {
+		size_t length = strlen(KINDS[i].begin);
+		if (n >= length && memcmp(bytes, KINDS[i].begin, length) == 0)
+			return KINDS[i].read;
+	}
+	return NULL;
+}
+
+/* Returns false with a fault if a workbook has no sheet that can be read. */
+static bool
+check_some_sheet_read(const struct sheets *grid)
+{
+	if (grid->n > 0)
+		return true;
+	return grid->note[0] != '\0'
+		   ? refuse_workbook(grid,
+			 tr("expected a sheet with sieves, got none"),
+			 grid->note)
+		   : refuse_workbook(grid,
+			 tr("expected cells with values, got an empty "
+			    "workbook"),
+			 tr("save it again in the program that wrote it"));
 }
 
 /* Moves the sheets and the note to the source. */
@@ -149,7 +165,11 @@ read_workbook_to_source(const char *path, const char *bytes, size_t n,
     struct sheet_limits most, struct error_list *errors, struct source *source)
 {
 	struct sheets grid = sheets_new(path, most, errors);
-	if (!read_workbook_to_grid(bytes, n, &grid)) {
+	size_t before = errors->n + errors->more;
+	bool good = find_reader_of_kind(bytes, n)(bytes, n, &grid);
+	assert(good || errors->n + errors->more > before);
+	sheets_note_omitted_remarks(&grid);
+	if (!good || !check_some_sheet_read(&grid)) {
 		sheets_clear(&grid);
 		return false;
 	}
@@ -189,7 +209,7 @@ source_read_within_limits(const char *path, struct sheet_limits most,
 	FREED char *bytes = textfile_read_bytes(path, &n, errors);
 	if (bytes == NULL)
 		return false;
-	return is_workbook_content(bytes, n)
+	return find_reader_of_kind(bytes, n) != NULL
 		   ? read_workbook_to_source(
 			 path, bytes, n, most, errors, source)
 		   : source_read_plain_text(
