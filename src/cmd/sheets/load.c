@@ -439,9 +439,9 @@ load_add_folder(const struct session *s, struct load *l, DIR *dir,
 	skip_result_files(s, l, before);
 	return l->request.n > before ||
 	       error_set_at(error, ERROR_DATA, path, 0, 0,
-		   "expected sheets in this folder (.csv .tsv .txt .xlsx "
-		   ".ods), got none\n"
-		   "name the folder that has them");
+		   "expected sheets in this folder (%s), got none\n"
+		   "name the folder that has them",
+		   FILE_SHEET_ENDINGS);
 }
 
 /* Adds the files named by words, and the sheets of folders.  A file takes

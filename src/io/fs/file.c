@@ -350,13 +350,16 @@ file_append_bytes(const char *path, enum file_rights rights, const char *bytes,
 	return good || report_cannot_write(path, reason, error);
 }
 
+const char FILE_SHEET_ENDINGS[] = ".csv .tsv .txt .xlsx .ods";
+
 bool
 file_has_sheet_ending(const char *path)
 {
-	static const char *const ENDS[] = {
-	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
-	const size_t n = ARRAY_LEN(ENDS);
-	return text_file_ending(path, ENDS, n) < n;
+	FREED char *folded = text_fold_case_and_accents(path);
+	const char *end = strrchr(folded, '.');
+	size_t i;
+	return end != NULL &&
+	       text_find_word_in_list(FILE_SHEET_ENDINGS, end, &i);
 }
 
 bool

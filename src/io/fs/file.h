@@ -42,7 +42,9 @@ const char *file_name_without_folders(const char *path);
  * there is no such folder.  The caller frees it. */
 char *file_real_folder(const char *path);
 
-/* True if a file's name ends like that of a sheet: .csv, .xlsx and so on. */
+/* True if a file's name ends like that of a sheet, as one of the words of
+ * FILE_SHEET_ENDINGS. */
+extern const char FILE_SHEET_ENDINGS[];
 bool file_has_sheet_ending(const char *path);
 
 /* Returns false with an error if a file's name ends like that of a workbook:
