@@ -345,7 +345,7 @@ key_description(const struct key *k, bool in_rpm)
 /* Returns true if a key belongs to a page: it acts there but not on all pages,
  * or it acts on all but is listed first there. */
 static bool
-is_key_of_page(const struct key *k, enum page page)
+is_key_listed_first_on_page(const struct key *k, enum page page)
 {
 	unsigned pages = k->where & ON_ALL;
 	if (pages == ON_ALL)
@@ -399,7 +399,7 @@ list_keys_of_page_or_word(enum page page, const char *word,
 	size_t n = 0;
 	for (int own = 1; own >= 0; own--)
 		for (const struct key *k = KEYS; k->code != 0; k++)
-			if (is_key_of_page(k, page) == own &&
+			if (is_key_listed_first_on_page(k, page) == own &&
 			    (word[0] != '\0' ? has_word_in_help_line(k, word)
 					     : is_key_in_brief_list(k, page)))
 				line[n++] = k;

@@ -119,7 +119,7 @@ cells_are_of_the_training_runs(void **state)
 	struct candidates c = candidates_compute_residuals(
 	    s.site, s.train, model_settings_default(), ISA_BEST, g, &g->params);
 	const struct candidates_cell *worst =
-	    candidates_largest_residual_cell(&c);
+	    candidates_worst_fitted_passing(&c);
 	for (size_t k = 0; k < c.n; k++) {
 		assert_true(s.train[c.cell[k].run]);
 		assert_true(fabs(c.cell[k].median) <= fabs(worst->median));

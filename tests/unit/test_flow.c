@@ -298,7 +298,7 @@ each_draw_is_its_own_and_balances(void **state)
 	    ensemble_new(posterior, feed, sieves.size, sieves.n);
 	struct crusher *crusher =
 	    crusher_new(sizes.size, n, &fit.params, fit.settings, posterior);
-	crusher_set_feed(crusher, feed, sieves.size, sieves.n);
+	crusher_set_reference_feed(crusher, feed, sieves.size, sieves.n);
 	struct transfer *t = crusher_transfer_at_speed(crusher, 72);
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 	double *in = xcalloc_doubles(n);

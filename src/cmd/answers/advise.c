@@ -58,7 +58,8 @@ band_width_of_draws(const double *draw, double level, double ends[static 2])
 /* Finds the draws of the answer and their band.  Returns false if a draw lies
  * outside the sieves. */
 static bool
-compute_band_of_quantity(const struct session *s, struct advice_request *w)
+compute_draws_and_bands_of_quantity(
+    const struct session *s, struct advice_request *w)
 {
 	struct forecast *f = forecast_open(s, w->question, &w->q, 1);
 	bool known = true;
@@ -252,7 +253,7 @@ advise_find_best_sample(const struct session *s, const struct question *q,
 	struct advice_request w = {.question = q, .q = *of};
 	size_t n;
 	FREED struct sample_advice *c =
-	    compute_band_of_quantity(s, &w)
+	    compute_draws_and_bands_of_quantity(s, &w)
 		? rank_candidate_sample_speeds(s, &w, &n)
 		: NULL;
 	if (c == NULL)
@@ -339,7 +340,7 @@ show_sampling_advice(
 	const struct entry *entry = w->question->entry;
 	if (posterior_if_params_of_entry(s, entry, &entry->params) == NULL)
 		return band_set_error_missing(s, entry, error);
-	if (!compute_band_of_quantity(s, w))
+	if (!compute_draws_and_bands_of_quantity(s, w))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"
 		    "ask for another size",

@@ -764,7 +764,8 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
     const struct find_request *goal, struct error *error)
 {
 	const struct entry *entry = goal->question->entry;
-	const struct spec *spec = envelope_find(s, args->spec, error);
+	const struct spec *spec =
+	    envelope_named_or_chosen(s, args->spec, error);
 	struct grading g;
 	if (spec == NULL ||
 	    !envelope_open_grading(s, args, spec, goal->question, &g, error))

@@ -44,7 +44,7 @@ set_session_envelope(
 		return error_set(error, ERROR_USAGE,
 		    "spec use: expected an envelope\n"
 		    "write spec use and a name of 'spec list', or a file");
-	const struct spec *spec = envelope_find(s, words, error);
+	const struct spec *spec = envelope_named_or_chosen(s, words, error);
 	if (spec == NULL)
 		return false;
 	s->spec = spec;
@@ -213,7 +213,7 @@ compare_product_with_envelope(struct session *s, const struct args *args,
 	double v = q->speed;
 	struct grading g;
 	FREED char *words = join_operands(args, 0);
-	const struct spec *spec = envelope_find(s, words, error);
+	const struct spec *spec = envelope_named_or_chosen(s, words, error);
 	if (spec == NULL || !answers_require_params_current_site(s, error) ||
 	    !envelope_open_grading(s, args, spec, q, &g, error))
 		return false;

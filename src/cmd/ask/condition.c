@@ -451,7 +451,8 @@ conditions_add_envelope_option(struct session *s, const struct args *args,
 {
 	if (args->spec == NULL)
 		return true;
-	const struct spec *spec = envelope_find(s, args->spec, error);
+	const struct spec *spec =
+	    envelope_named_or_chosen(s, args->spec, error);
 	return spec != NULL && conditions_add_envelope(spec, &q->fraction,
 				   question_feed(q), list, error);
 }

@@ -25,7 +25,7 @@ add_envelope_to_session(struct session *s, struct spec *spec)
 
 /* Returns the shipped envelope of that name if the session has read it. */
 static const struct spec *
-find_envelope_in_session(const struct session *s, const char *name)
+find_shipped_envelope_in_session(const struct session *s, const char *name)
 {
 	for (size_t i = 0; i < s->n_spec; i++)
 		if (s->specs[i]->standard[0] != '\0' &&
@@ -40,7 +40,8 @@ find_shipped_envelope(struct session *s, const char *words, struct error *error)
 	struct standards *all = standards_read_built_in();
 	const struct spec *found = standards_find_envelope(all, words, error);
 	const struct spec *same =
-	    found != NULL ? find_envelope_in_session(s, found->name) : NULL;
+	    found != NULL ? find_shipped_envelope_in_session(s, found->name)
+			  : NULL;
 	for (size_t i = 0; found != NULL && same == NULL && i < all->n; i++) {
 		if (all->spec[i] != found)
 			continue;
@@ -75,7 +76,8 @@ read_envelope_file(struct session *s, const char *path, struct error *error)
 }
 
 const struct spec *
-envelope_find(struct session *s, const char *words, struct error *error)
+envelope_named_or_chosen(
+    struct session *s, const char *words, struct error *error)
 {
 	if (words != NULL)
 		return standards_is_file_path(words)

@@ -13,7 +13,7 @@
 /* Returns the envelope that `words` names, a shipped one or a file, or the one
  * chosen by `spec use` if words is NULL.  The session owns it.  Returns NULL
  * with an error if there is none; faults in a file are reported first. */
-const struct spec *envelope_find(
+const struct spec *envelope_named_or_chosen(
     struct session *s, const char *words, struct error *error);
 
 /* Appends the limits of an envelope as conditions on a fraction: first one for

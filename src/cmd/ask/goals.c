@@ -59,7 +59,7 @@ add_limits_of_named_envelope(struct session *s, const char *name,
     const struct psd *feed, struct condition_list *list, struct error *error)
 {
 	const struct fraction whole = {.partition = PARTITION_IDEAL};
-	const struct spec *spec = envelope_find(s, name, error);
+	const struct spec *spec = envelope_named_or_chosen(s, name, error);
 	size_t i = list->n;
 	bool ok = spec != NULL &&
 		  (feed == NULL ||

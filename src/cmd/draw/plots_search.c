@@ -470,7 +470,7 @@ fit_candidates_progress_text(
 	double noise = sampling_noise_near_50_percent(s, &assumed);
 	struct candidates c = residuals_of_generation(s, past, generation);
 	const struct candidates_cell *worst =
-	    candidates_largest_residual_cell(&c);
+	    candidates_worst_fitted_passing(&c);
 	double miss = units_fraction_to_pct(fabs(worst->median));
 	const double *x = c.break_size;
 	char *words;

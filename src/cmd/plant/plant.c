@@ -454,7 +454,7 @@ make_crusher_model(struct plant *p)
 	p->crusher = crusher_new_for_answers(p->s, entry, p->size, p->n);
 	p->feed = xcalloc_doubles(p->n);
 	crusher_class_masses_of_feed(p->crusher, feed, p->feed);
-	crusher_set_feed(p->crusher, feed, sieves.size, sieves.n);
+	crusher_set_reference_feed(p->crusher, feed, sieves.size, sieves.n);
 	psd_free(&sieves);
 }
 

@@ -127,7 +127,7 @@ remove_restored_autosave(struct autosave *k)
 
 /* Called after a command.  whole: if it restored a session, all of it ran. */
 static void
-set_restored_autosave_path(struct autosave *k, bool whole)
+finish_restoring_autosave(struct autosave *k, bool whole)
 {
 	if (k->restoring == NULL)
 		return;
@@ -156,7 +156,7 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 	/* A session of which only a part was restored does not become the
 	 * newest. */
 	bool in_part = k->restoring != NULL && !ok;
-	set_restored_autosave_path(k, ok);
+	finish_restoring_autosave(k, ok);
 	if (in_part)
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||

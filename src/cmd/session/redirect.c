@@ -238,7 +238,7 @@ add_byte_order_mark(struct redirect *r)
 /* Returns "12 rows" for a table, "24 lines" for other text.  The caller frees
  * it. */
 static char *
-output_amount_text(const struct redirect *r, size_t rows)
+written_rows_or_lines_text(const struct redirect *r, size_t rows)
 {
 	if (r->kind == OUTPUT_PICTURE)
 		return xstrdup(tr("an image"));
@@ -273,7 +273,7 @@ write_redirected_output(
 	struct stat about;
 	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
 		return true;
-	FREED char *what = output_amount_text(r, s->rows);
+	FREED char *what = written_rows_or_lines_text(r, s->rows);
 	files_record_written(s, r->target);
 	session_print_note(s,
 	    whole ? N_("wrote %s: %s") : N_("added to %s: %s"), r->target,

@@ -73,7 +73,7 @@ script_open(struct session *s, const char *path, struct error *error)
 	const char *why;
 	FILE *in = textfile_open(path, &why);
 	if (in == NULL) {
-		FREED char *hint = textfile_hint_if_unreadable(path);
+		FREED char *hint = textfile_hint_after_failed_open(path);
 		return error_set(error, ERROR_SYSTEM,
 		    "cannot read script %s: %s\n%s", path, why, hint);
 	}

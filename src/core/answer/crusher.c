@@ -41,7 +41,7 @@ struct crusher {
 
 /* passing [draws][n - 1][n]: of the product of each class, at the sizes; delta,
  * more [draws][n], or NULL: the discrepancy over h, and the correction to the
- * predicted product (crusher_set_feed). */
+ * predicted product (crusher_set_reference_feed). */
 struct transfer {
 	size_t n, draws;
 	double *passing, *delta, *more, *share;
@@ -122,7 +122,7 @@ compute_interpolation_shares(struct crusher *c)
 }
 
 void
-crusher_set_feed(
+crusher_set_reference_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n)
 {
 	c->feed = xcalloc_doubles(c->n);
@@ -157,7 +157,7 @@ cumulate_from_finest_class(const double *mass, size_t n, double *below)
 /* Sums the products of the classes of a feed: out [n] is what passes each size,
  * uncorrected, and t->feed what of the feed does.  Returns the feed's mass. */
 static double
-sum_progeny_of_feed_classes(
+sum_products_of_feed_classes(
     const struct transfer *t, size_t draw, const double *in, double *out)
 {
 	size_t n = t->n;
@@ -180,7 +180,7 @@ transfer_compute_draw_correction(const struct crusher *c, struct transfer *t,
 	double *more = t->more + d * c->n;
 	const double *delta = t->delta != NULL ? t->delta + d * c->n : NULL;
 	double finer = 0,
-	       total = sum_progeny_of_feed_classes(t, d, c->feed, out);
+	       total = sum_products_of_feed_classes(t, d, c->feed, out);
 	for (size_t i = c->n_sieve; i-- > 0;) {
 		size_t k = c->at[i];
 		double raw = out[k], least = fmax(t->feed[k], finer);
@@ -309,7 +309,7 @@ transfer_compute_product(
 {
 	size_t n = t->n;
 	double *below = out,
-	       total = sum_progeny_of_feed_classes(t, draw, in, out);
+	       total = sum_products_of_feed_classes(t, draw, in, out);
 	correct_passings_of_product(t, draw, total, below);
 	/* All mass passes the coarsest size: the coarsest class gets what
 	 * rounding lost. */

@@ -29,7 +29,7 @@ void crusher_free(struct crusher *crusher);
  * this feed then gives exactly the predicted product, and other feeds are
  * corrected by the same difference per tonne.  Between these sieves every
  * product is straight in log size (D20), but not coarser than its feed. */
-void crusher_set_feed(
+void crusher_set_reference_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
 
 /* Returns the transfer at tip speed v, m/s: a matrix for each draw of the

@@ -57,7 +57,7 @@ evaluate_kept_candidates(const struct misfit *m, enum isa isa,
 }
 
 static void
-compute_break_size_quartiles(struct candidates *c,
+compute_break_size_quartiles_of_candidates(struct candidates *c,
     const struct model_settings *settings, const struct calibrate_generation *g,
     double speed)
 {
@@ -99,7 +99,8 @@ candidates_compute_residuals(const struct site *site, const bool *train,
 				.p90 = quantile_of_sorted(d, g->n_kept, 0.9),
 				.best = of_best[k]};
 		}
-	compute_break_size_quartiles(&c, &settings, g, m->run[0].speed);
+	compute_break_size_quartiles_of_candidates(
+	    &c, &settings, g, m->run[0].speed);
 	misfit_free(m);
 	return c;
 }
@@ -112,7 +113,7 @@ candidates_clear(struct candidates *c)
 }
 
 const struct candidates_cell *
-candidates_largest_residual_cell(const struct candidates *c)
+candidates_worst_fitted_passing(const struct candidates *c)
 {
 	const struct candidates_cell *worst = c->cell;
 	for (size_t k = 1; k < c->n; k++)

@@ -35,7 +35,7 @@ void candidates_clear(struct candidates *c);
 
 /* Returns the cell with the largest absolute median residual; there must be at
  * least one cell. */
-const struct candidates_cell *candidates_largest_residual_cell(
+const struct candidates_cell *candidates_worst_fitted_passing(
     const struct candidates *c);
 
 /* Computes the range of a parameter over the middle 80 % of the candidates, as

@@ -159,7 +159,7 @@ span_distance(const struct span *a, const struct span *b)
 /* Returns the column that a cell overlaps or is nearest to.  If it overlaps
  * several, their middles decide. */
 static size_t
-nearest_column_of_cell(const struct grid_columns *g, const struct span *cell)
+nearest_column_of_span(const struct grid_columns *g, const struct span *cell)
 {
 	size_t best = 0, least = SIZE_MAX;
 	for (size_t i = 0; i < g->n; i++) {
@@ -226,7 +226,7 @@ separate_line_cells_by_tabs(struct line *line, const struct grid_columns *g,
 	if (g != NULL && (n == 0 || n > g->n || cell[n - 1].right >= MOST_WIDE))
 		return 0;
 	for (size_t i = 0; i < n; i++) {
-		at[i] = g != NULL ? nearest_column_of_cell(g, &cell[i]) : i;
+		at[i] = g != NULL ? nearest_column_of_span(g, &cell[i]) : i;
 		if (i > 0 && at[i] <= at[i - 1])
 			return 0;
 	}

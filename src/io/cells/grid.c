@@ -55,7 +55,7 @@ sheets_add_note(struct sheets *g, const char *format, ...)
 }
 
 void
-sheets_note_omitted_remarks(struct sheets *g)
+sheets_add_count_of_omitted_notes(struct sheets *g)
 {
 	if (g->n_note > MOST_NOTES)
 		xappend_to_list(&g->note, "; ",

@@ -53,10 +53,10 @@ bool sheets_put_formula(
     struct sheets *grid, struct cell where, const char *formula);
 
 /* sheets_add_note adds a remark on the workbook.  From the 21st on, remarks are
- * only counted; sheets_note_omitted_remarks adds their number at the end. */
+ * only counted; sheets_add_count_of_omitted_notes adds how many at the end. */
 void sheets_add_note(struct sheets *grid, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-void sheets_note_omitted_remarks(struct sheets *grid);
+void sheets_add_count_of_omitted_notes(struct sheets *grid);
 
 /* Adds the remark that sheets beyond the first `most` are not read. */
 void sheets_note_too_many_sheets(struct sheets *grid, int most);

@@ -168,7 +168,7 @@ read_workbook_to_source(const char *path, const char *bytes, size_t n,
 	size_t before = errors->n + errors->more;
 	bool good = find_reader_of_kind(bytes, n)(bytes, n, &grid);
 	assert(good || errors->n + errors->more > before);
-	sheets_note_omitted_remarks(&grid);
+	sheets_add_count_of_omitted_notes(&grid);
 	if (!good || !check_some_sheet_read(&grid)) {
 		sheets_clear(&grid);
 		return false;

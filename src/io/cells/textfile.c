@@ -136,7 +136,7 @@ read_bytes_to_end(FILE *file, size_t most, size_t *n)
 }
 
 char *
-textfile_hint_if_unreadable(const char *path)
+textfile_hint_after_failed_open(const char *path)
 {
 	FREED char *example = shipped_example_path(path);
 	return example != NULL
@@ -151,7 +151,7 @@ report_unreadable_file(
     const char *path, const char *why, struct error_list *errors)
 {
 	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
-	FREED char *hint = textfile_hint_if_unreadable(path);
+	FREED char *hint = textfile_hint_after_failed_open(path);
 	error_set_at(error_list_add_item(errors), ERROR_SYSTEM, path, 0, 0,
 	    "cannot read: %s\n%s", why,
 	    several ? tr("name each file, or let the shell expand the "

@@ -14,7 +14,7 @@
 FILE *textfile_open(const char *path, const char **why);
 
 /* Returns what to do about a file that cannot be read.  The caller frees it. */
-char *textfile_hint_if_unreadable(const char *path);
+char *textfile_hint_after_failed_open(const char *path);
 
 /* Returns the content of a file of at most 10 MB, *n bytes, which the caller
  * frees.  Returns NULL with one fault if the file cannot be read (ERROR_SYSTEM)

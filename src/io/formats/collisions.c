@@ -467,7 +467,7 @@ collisions_read(const char *path, const struct collisions_way *way,
 	    .spectrum = spectrum_new(), .about = xstrdup(""), .form = ""};
 	r.in = textfile_open(path, &why);
 	bool ok = r.in != NULL;
-	FREED char *hint = textfile_hint_if_unreadable(path);
+	FREED char *hint = textfile_hint_after_failed_open(path);
 	if (!ok)
 		error_set_at(error_list_add_item(errors), ERROR_SYSTEM, path, 0,
 		    0, "cannot read: %s\n%s", why, hint);

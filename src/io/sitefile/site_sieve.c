@@ -139,9 +139,9 @@ are_fractions_inches(const struct table *t)
 	return meet < 2;
 }
 
-/* Summarises the sizes, first as names, then as lengths. */
+/* Counts the sizes that are names of sieves, and those that standards have. */
 static void
-summarise_sieve_sizes(const struct table *t, struct numbers *all)
+count_named_and_standard_sizes(const struct table *t, struct numbers *all)
 {
 	const struct sieve_unit none = {0, SIEVE_NONE}, bare = {1, SIEVE_NONE};
 	size_t named = 0, numbers = 0, n = 0, in_mm = 0, in_um = 0;
@@ -174,7 +174,7 @@ summarise_numbers_in_sieve_column(const struct table *t)
 	struct numbers all = {.rises = true, .even = true, .whole = true};
 	bool fractions = are_fractions_inches(t);
 	double v, last = NAN, step = NAN;
-	summarise_sieve_sizes(t, &all);
+	count_named_and_standard_sizes(t, &all);
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
 		bool part = fractions && is_inch_fraction(cell.text);
