@@ -47,7 +47,7 @@ done
 [ $? -eq 5 ] && tr -d '\n ' <err | grep -q "/share/tipspeed/sites/tierp.csv$"
 result $? "an example's data/sites/tierp.csv is named where it is installed"
 remark err
-"$program" --safe -c 'load bro' 2>&1 | grep -q '^-c:1:1: load is off'
+"$program" --safe -c 'load bro' 2>&1 | grep -q '^-c:1:1: load is not allowed'
 result $? "--safe has names off as files"
 
 # The line of make deb that builds, with a dpkg that has nothing installed: what it

@@ -124,7 +124,7 @@ const struct key KEYS[] = {
     {'>', ">", ON_PREDICT, act_move_crosshair_passing, 5, "at one 5 % higher",
 	NULL, NULL},
     {'b', "b", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_toggle_band, 0,
-	"uncertainty band on or off, if known", "band", NULL},
+	"uncertainty band on or off, if there is one", "band", NULL},
     {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_next_correction_setting,
 	0, "runs that correct the answer: all, the training runs, none",
 	"runs that correct it", NULL},

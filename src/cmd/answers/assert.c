@@ -128,7 +128,7 @@ check_file_digest(const struct session *s, const char *path, const char *wanted,
 	uint64_t digest = 0;
 	if (s->safe)
 		return error_set(error, ERROR_USAGE,
-		    "assert FILE is off: it names a file\n"
+		    "assert FILE is not allowed: it names a file\n"
 		    "start the program without --safe to allow it");
 	if (!files_compute_digest(path, &digest))
 		return error_set(error, ERROR_DATA,

@@ -557,7 +557,7 @@ warn_if_limits_never_met(struct answer *r, const struct site *site,
 	else if (row[best].share < 0.5)
 		answer_add_sentence(r, ANSWER_WARNING,
 		    "no speed on this page is likely to meet the limits: the "
-		    "surest, %g m/s%s, does %s",
+		    "most likely, %g m/s%s, meets them %s",
 		    row[best].speed, rpm, often);
 }
 

@@ -261,7 +261,8 @@ append_speeds_meeting_conditions(char **words, const struct report_request *ask)
 	FREED char *rpm =
 	    rotor_speed_rpm_text(ask->q->entry->site->rotor, w->best, NAN);
 	xappend_to_list(words, "; ",
-	    tr("the nearest misses by %s at %.1f m/s%s"), misses, w->best, rpm);
+	    tr("the speed that comes closest misses by %s: %.1f m/s%s"), misses,
+	    w->best, rpm);
 }
 
 /* Says whether the product at the report's speed meets the conditions. */

@@ -127,9 +127,9 @@ const struct command TABLE_ANSWERS[] = {
 		"window, spec= or a goal that is set, it also shows how "
 		"certain they are to be met. Below it: the date, the feed, the "
 		"machine, the model, and whether each speed rests on "
-		"measurements or on the model alone. Text leaves out columns "
-		"that do not fit into 80 characters, and names them; files "
-		"have all. 'card > card.pdf' is a page to be pinned up.",
+		"measurements or on the model alone. In text, columns that do "
+		"not fit into 80 characters are left out and named; files "
+		"have all. 'card > card.pdf' makes a page to pin up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "card 65..85:5 0/2 fines tph=120 fractions=0/2,2/5,5/8\n"
 		   "card 66..81:5 passing 2 >= 33",
@@ -194,8 +194,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "k-value) or GB/T 14684; and a fraction such as 0/2, its share of "
 	    "the product. 'of 0/4' after a figure, or cut=0/4 for all of them, "
 	    "takes that screened fraction. Figures that the sieves do not "
-	    "reach are left out, or missing. A sentence gives the range that a "
-	    "new belt cut may show for each figure that is named.",
+	    "reach are left out, or missing. For each figure that is named, a "
+	    "sentence gives the range in which a new belt cut may fall.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nfigures 72\n"
 		   "figures 72 of=\"D10,fm EN of 0/4,0/2\"",
 	.answer = cmd_figures},
@@ -220,12 +220,12 @@ const struct command TABLE_ANSWERS[] = {
 	    "The inverse of predict: finds the tip speed for a P20, P50 or "
 	    "P80, for a passing at a size, or the speeds at which the product "
 	    "meets a grading envelope; see spec and tipspeed-spec(5). "
-	    "Conditions are those of window: the condition with = and a single "
-	    "number is the target, \"max passing 2\" or \"min P80\" asks for "
-	    "the speed that gives the largest or smallest value; other "
-	    "conditions are checked at that speed, or limit it; the default is "
-	    "'set goal'. The first range of a speed is for the true product, "
-	    "the second for what a belt cut may show.",
+	    "Conditions are written as for window. The one with = and a single "
+	    "number is the target; \"max passing 2\" or \"min P80\" asks for "
+	    "the speed with the largest or smallest value instead. Other "
+	    "conditions are checked at that speed, or limit the choice. The "
+	    "default is 'set goal'. The first range of a speed is for the true "
+	    "product, the second for what a belt cut may show.",
 	.more =
 	    "At a limit the condition holds with only about 50 % certainty, so "
 	    "the best speed with 80 % certainty (set level) is also reported. "
@@ -244,7 +244,7 @@ const struct command TABLE_ANSWERS[] = {
 		   "find spec=\"EN 12620 0/8\"",
 	.answer = cmd_find},
     {.name = "flow",
-	.brief = "tonnes of each fraction, what goes back, power, earnings",
+	.brief = "tonnes of fractions, circulating load, power, earnings",
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_DRAWS |
 		 COMMAND_DAILY,
 	.bare = "tph",
@@ -474,9 +474,9 @@ const struct command TABLE_ANSWERS[] = {
 	    {OFF_ON(detail), "off",
 		"on: show the numbers of the control charts too"}),
 	.text =
-	    "Compares each cut added after the calibration with the prediction "
-	    "at its own speed from its own feed, made without that cut. A row "
-	    "has the mean of the residuals (answer minus measured, points: + "
+	    "Compares each cut added after the calibration with a prediction "
+	    "for its own speed and feed that does not use the cut. A row has "
+	    "the mean of the residuals (answer minus measured, points: + "
 	    "if the cut is coarser), the largest with its sieve, and what the "
 	    "control charts say; with detail=on the charts themselves: EWMA "
 	    "(weight 0.2) with its limit and CUSUM in both directions, of the "

@@ -35,13 +35,14 @@ check_allowed_in_safe_mode(
 	const struct command *command = args->command;
 	size_t option = find_file_option(args);
 	if ((command->flags & COMMAND_FILES) && args->n_operand > 0)
-		error_set(error, ERROR_USAGE, "%s is off: it works on files",
-		    command->name);
+		error_set(error, ERROR_USAGE,
+		    "%s is not allowed: it uses files", command->name);
 	else if (option < OPTIONS)
-		error_set(error, ERROR_USAGE, "%s= is off: it names a file",
+		error_set(error, ERROR_USAGE,
+		    "%s= is not allowed: it names a file",
 		    command_option_at(command, option)->name);
 	else if (words->to != TO_SCREEN)
-		error_set(error, ERROR_USAGE, "%s is off",
+		error_set(error, ERROR_USAGE, "%s is not allowed",
 		    words->to == TO_PIPE ? tr("a shell command")
 					 : tr("writing to a file"));
 	else

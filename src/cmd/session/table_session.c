@@ -29,16 +29,17 @@ const struct command TABLE_SESSION[] = {
 	.text =
 	    "Writes the commands that produced the session and its results, "
 	    "without those that were undone. Of consecutive predictions only "
-	    "the last is kept; results that went to a file or a shell command "
-	    "are left out unless later ones rest on them, and so are "
-	    "assertions and help. The script gives identical results "
+	    "the last is kept. Assertions and help are left out; so are "
+	    "commands whose results went to a file or a shell command, unless "
+	    "later ones rest on them. The script gives identical results "
 	    "anywhere, as long as it finds the site files and the store has "
 	    "the recalled materials: a site file or a material with other "
 	    "numbers is refused. Files in the folder of the script, or below "
 	    "it, are named relative to it, so that the folder can be moved or "
 	    "given away. Results are saved "
-	    "with > FILE after a command, not with save. A name without an "
-	    "ending gets .tip. A file that this session was saved to before "
+	    "with > FILE after a command, not with save. To a name without "
+	    "an ending, .tip is added. A file that this session was saved to "
+	    "before "
 	    "is saved again without replace=on.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
 		   "save plant",

@@ -538,8 +538,8 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 	FREED char *line = xstrdup("remember");
 	journal_append_quoted_word(&line, free_name);
 	return error_set(error, ERROR_USAGE,
-	    "nothing was remembered now: the store still has %s, %s, "
-	    "remembered on %s\n"
+	    "nothing was stored: the store still has %s, %s, remembered on "
+	    "%s\n"
 	    "to keep both: %s",
 	    m->name, old, m->date, line);
 }
@@ -568,9 +568,9 @@ ask_to_replace_materials(struct session *s, const struct material_list *list,
 		    own.item[0].name);
 		*replace = s->hooks.confirm(s, question, false) ||
 			   error_set(error, ERROR_USAGE,
-			       "nothing was remembered now: the store still "
-			       "has what it had\n"
-			       "to replace it: remember all replace=on");
+			       "nothing was stored: the store is as it was\n"
+			       "to replace what it has: remember all "
+			       "replace=on");
 	}
 	material_list_free(&own);
 	return !wanted || *replace;

@@ -41,7 +41,7 @@ const struct command TABLE_STORE[] = {
 	.example = "load data/sites/borlange.csv\nrecall tierp\npredict 74",
 	.run = cmd_recall},
     {.name = "remember",
-	.brief = "keep the site and its calibration for other days",
+	.brief = "keep the site and its calibration for later sessions",
 	.operands = {"[NAME|all]", {"all"}, 0, 1},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_UNSAVED | COMMAND_DAILY,
 	.option = OPTION_LIST(
@@ -55,7 +55,8 @@ const struct command TABLE_STORE[] = {
 		"set'. 'recall' brings it back. NAME is by default the name of "
 		"the site in 'sites'; all: every site that was calibrated, by "
 		"that name. At the prompt it asks before it replaces a "
-		"material. Once the result is printed, it is on the disk.",
+		"material. When the result is printed, it is already on the "
+		"disk.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "remember date=2026-11-21 note=\"after new liners\"\n"
 		   "store list origin=own",

@@ -17,8 +17,8 @@ enum drift_component { DRIFT_LEVEL, DRIFT_TILT, DRIFT_COMPONENTS };
 
 /* k, h: allowance and limit of the CUSUM, in standard deviations.  lambda:
  * weight of the newest sample in the EWMA; width: limit of the EWMA, in its own
- * standard deviations.  cuts: weight of the posterior's estimate of the size of
- * the errors, as a number of cuts. */
+ * standard deviations.  cuts: how many cuts the posterior's estimate of the
+ * size of the errors counts as. */
 struct drift_rule {
 	double k, h, lambda, width, cuts;
 };
@@ -62,16 +62,17 @@ struct drift_point {
  * sets *since to the sample at which that chart's CUSUM began to rise.
  *
  * The unknown part of the truth is common to all samples, so their values are
- * correlated, and charts of the values would signal more often than stated.
- * `off` is the value minus its prediction from the earlier values, over the
- * remaining standard deviation: L^-1 value, with L the Cholesky factor of their
- * covariance.  The posterior gives only a rough size for the errors of cuts.
- * off, divided by the root mean square of the earlier values of off and
- * rule->cuts values of 1 from the posterior, has Student's t distribution; the
- * score is the standard normal value of the same probability.  After a signal,
- * samples from `since` on are not used for prediction, so that the drift itself
- * is not predicted.  Source: Hawkins 1987, Hawkins and Olwell 1998, section 7
- * (self-starting CUSUM); Page 1954; Roberts 1959. */
+ * correlated, and charts of the values themselves would signal more often than
+ * stated.  `off` is the value minus its prediction from the earlier values,
+ * divided by the standard deviation of that difference: L^-1 value, where L is
+ * the Cholesky factor of the values' covariance.  The posterior gives only a
+ * rough size for the errors of cuts.  off, divided by the root mean square of
+ * the earlier values of off and rule->cuts values of 1 from the posterior, has
+ * Student's t distribution; the score is the standard normal value of the same
+ * probability.  After a signal, samples from `since` on are not used for
+ * prediction, so that the drift itself is not predicted.  Source: Hawkins 1987,
+ * Hawkins and Olwell 1998, section 7 (self-starting CUSUM); Page 1954; Roberts
+ * 1959. */
 size_t drift_compute_charts(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since);
 

@@ -6,7 +6,8 @@
 /* In rising order; ISA_BEST means the best one that the processor has. */
 enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };
 
-/* Returns the wanted set or, if the processor lacks it, its best. */
+/* Returns `wanted` or, if the processor lacks that set, the best one that it
+ * has. */
 enum isa isa_usable_or_best(enum isa wanted);
 
 /* Returns "baseline", "avx2" or "avx512". */

@@ -42,8 +42,9 @@ struct head heading_parse_file_name(const char *name);
 /* True if a heading states a speed, in any unit. */
 bool heading_has_speed(const struct head *head);
 
-/* Returns the unit of speed that a heading states, even if only by a word for
- * revolutions; SPEED_NO_UNIT if there is none. */
+/* Returns the unit of speed that a heading states.  Without one, a word for the
+ * speed of a rotor, such as "drehzahl", counts as SPEED_RPM; otherwise returns
+ * SPEED_NO_UNIT. */
 enum speed_unit heading_speed_unit(const struct head *head);
 
 /* Returns the text without speeds and their units, folded by

@@ -13,8 +13,8 @@ void envelope_check_update(struct tui *t);
 void envelope_check_free(struct tui *t);
 
 /* Returns the check at the slider's speed.  Returns NULL if no envelope is
- * chosen, none of its sieves is within the range of the feed's, or a
- * calibration is running. */
+ * chosen, there is no prediction, none of the envelope's sieves is within the
+ * range of the feed's sieves, or a calibration is running. */
 const struct grading *envelope_check_at_slider(const struct tui *t);
 
 #endif

@@ -21,8 +21,8 @@ void goal_run_search_step(struct tui *t);
 char *goal_edit_field_by_key(struct tui *t, int code, bool special);
 
 /* goal_is_viewed returns true if page Predict shows the goal at full height.
- * goal_show_condition_quantity then shows above the track the quantity of the
- * condition chosen there. */
+ * In that case, goal_show_condition_quantity puts the quantity of the selected
+ * condition above the track. */
 bool goal_is_viewed(const struct tui *t);
 void goal_show_condition_quantity(struct tui *t);
 
