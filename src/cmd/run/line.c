@@ -80,16 +80,6 @@ session_free(struct session *s)
 	free(s);
 }
 
-/* True if the word, or the part of it before @, is the name of a file. */
-static bool
-is_existing_file_name(const char *word)
-{
-	const char *at = strrchr(word, '@');
-	FREED char *name = xstrndup(word, at != NULL ? (size_t)(at - word) : 0);
-	return access(word, F_OK) == 0 ||
-	       (at != NULL && access(name, F_OK) == 0);
-}
-
 /* Joins the words of "load belt cuts may.csv" if together they are the name of
  * a file, and none of them is by itself. */
 static void
@@ -103,11 +93,11 @@ join_words_to_file_name(struct words *words)
 		n++;
 	FREED char *whole = xstrdup("");
 	for (size_t i = 1; i < n; i++) {
-		if (is_existing_file_name(words->text[i]))
+		if (call_path_length_of_file(words->text[i]) > 0)
 			return;
 		xappend_to_list(&whole, " ", "%s", words->text[i]);
 	}
-	if (n > 2 && is_existing_file_name(whole))
+	if (n > 2 && call_path_length_of_file(whole) > 0)
 		words_replace_by_one(words, 1, n - 1, whole);
 }
 

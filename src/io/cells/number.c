@@ -274,6 +274,8 @@ number_value_of_cell(struct cell cell, double *value)
 static const char *
 hint_for_non_number(const char *s)
 {
+	if (s[0] == '\0')
+		return tr("write the number in that cell");
 	if (s[0] == '=')
 		return tr(
 		    "the workbook was saved without results: open and save "
