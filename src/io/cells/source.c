@@ -127,9 +127,12 @@ typedef bool read_to_grid(const char *bytes, size_t n, struct sheets *grid);
 static const struct {
 	const char *begin;
 	read_to_grid *read;
-} KINDS[] = {{"PK\3\4", read_zip_to_grid}, {"PK\5\6", read_zip_to_grid},
+} KINDS[] = {
+    {"PK\3\4", read_zip_to_grid},
+    {"PK\5\6", read_zip_to_grid},
     {"PK\7\x8", read_zip_to_grid},
-    {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", refuse_ole_file}};
+    {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", refuse_ole_file},
+};
 
 /* Returns how a file of cells is read, or NULL for text. */
 static read_to_grid *
