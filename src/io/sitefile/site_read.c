@@ -307,7 +307,7 @@ read_and_check_sheet_columns(struct reading *r)
 			check_column_has_feed_or_product(
 			    all, &all->column[i], r->request);
 	}
-	if (!r->lost)
+	if (!r->lost && !error_is_stop_requested(r->errors))
 		report_missing_columns(r);
 }
 
