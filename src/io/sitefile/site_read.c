@@ -53,12 +53,6 @@ struct reading {
 	bool lost;
 };
 
-static struct sheet *
-first_sheet(const struct reading *r)
-{
-	return r->page[0].sheet;
-}
-
 /* Reports that there is no table.  Without one, nothing else can be checked. */
 static void
 report_missing_table(struct sheet *sheet)
@@ -893,7 +887,7 @@ check_sieve_table_found(struct reading *r)
 	for (size_t i = 0; i < r->n_page; i++)
 		n += r->page[i].layout->n;
 	if (n == 0 && !r->lost)
-		report_missing_table(first_sheet(r));
+		report_missing_table(r->page[0].sheet);
 	return n > 0;
 }
 
