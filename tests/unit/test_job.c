@@ -580,6 +580,41 @@ a_league_leaves_the_fit_alone(void **state)
 	assert_false(desk_say(desk, "continue"));
 }
 
+static bool
+stop_at_once(void)
+{
+	return true;
+}
+
+/* Neither half an answer nor an empty file takes the place of a whole one. */
+static void
+what_is_interrupted_shows_and_writes_nothing(void **state)
+{
+	static const char *const LINES[] = {"predict 74 > test-job.csv",
+	    "advise > test-job.csv", "report > test-job.html", "predict 74",
+	    "find p80=5"};
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	whole(desk);
+	desk_expect(desk, "set draw_seed 2"); /* none are drawn yet */
+	size_t before = desk->n_out;
+	for (size_t i = 0; i < ARRAY_LEN(LINES); i++) {
+		s->hooks.stop = stop_at_once;
+		assert_false(desk_say(desk, LINES[i]));
+		s->hooks.stop = NULL;
+		assert_int_equal(desk->error.kind, ERROR_STOPPED);
+		fflush(desk->out_file);
+		assert_int_equal(desk->n_out, before);
+	}
+	start(desk, "league > test-job.csv");
+	steps(desk, 70);
+	session_stop_job_for_user(s);
+	desk_expect(desk, "predict 74");
+	assert_int_not_equal(access("test-job.csv", F_OK), 0);
+	assert_int_not_equal(access("test-job.html", F_OK), 0);
+	assert_non_null(strstr(desk->out + before, "80 % band"));
+}
+
 int
 main(void)
 {
@@ -606,6 +641,7 @@ main(void)
 	    WITH_SITE(a_step_is_named_that_the_bounds_allow),
 	    WITH_SITE(the_generations_stay_with_their_site),
 	    WITH_SITE(a_league_leaves_the_fit_alone),
+	    WITH_SITE(what_is_interrupted_shows_and_writes_nothing),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

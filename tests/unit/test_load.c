@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "cmd/sheets/ask_user.h"
 #include "desk.h"
+#include "io/sitefile/site_read.h"
 
 /* Who sits there: gives these answers, separated by |, and notes what was
  * asked.  "^" gives up. */
@@ -382,6 +383,40 @@ rows_fit(void **state)
 	free(line);
 }
 
+/* Asked whether to stop, says so the calls_left-th time and after it. */
+static size_t calls_left;
+
+static bool
+stop_when_counted_down(void)
+{
+	calls_left -= calls_left > 0;
+	return calls_left == 0;
+}
+
+/* Wherever it is, until the file is read before the user interrupts. */
+static void
+reading_can_be_interrupted_anywhere(void **state)
+{
+	static const char *const FILES[] = {"data/sites/tierp.csv",
+	    "tests/sheets/office-lab-de_DE.ods",
+	    "tests/sheets/openpyxl-tidy.xlsx"};
+	const char *srcdir = getenv("srcdir");
+	(void)state;
+	for (size_t i = 0; i < ARRAY_LEN(FILES); i++) {
+		FREED char *path =
+		    xasprintf("%s/%s", srcdir != NULL ? srcdir : ".", FILES[i]);
+		struct site *site = NULL;
+		for (size_t n = 1; site == NULL; n++) {
+			struct error_list errors = {
+			    .stop = stop_when_counted_down};
+			calls_left = n;
+			site = site_read(path, &errors);
+			assert_true((site == NULL) == errors.stopped);
+		}
+		site_free(site);
+	}
+}
+
 int
 main(void)
 {
@@ -405,6 +440,7 @@ main(void)
 	    WITH_USER(scripts_are_not_asked),
 	    WITH_USER(answers_are_saved_with_the_session),
 	    cmocka_unit_test(rows_fit),
+	    cmocka_unit_test(reading_can_be_interrupted_anywhere),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

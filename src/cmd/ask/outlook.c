@@ -86,8 +86,8 @@ can_sample_posterior(const struct entry *entry)
 }
 
 /* Draws the posterior for `place` in the history, or continues with it, until
- * it is complete or `stop` says that the user is waiting.  steps: the most to
- * take; 0 for no limit. */
+ * it is complete or the user is waiting or interrupts the command.  steps: the
+ * most to take; 0 for no limit. */
 static void
 sample_posterior_steps(const struct session *s, const struct entry *entry,
     const bool *use, size_t place, size_t steps)
@@ -110,8 +110,11 @@ sample_posterior_steps(const struct session *s, const struct entry *entry,
 	bool done = false;
 	for (size_t i = 0; !done && (steps == 0 || i < steps); i++) {
 		done = posterior_step(h->drawing);
-		if (!done && h->stop != NULL && h->stop())
+		if (!done && s->hooks.stop != NULL && s->hooks.stop()) {
+			if (s->cut_short != NULL)
+				*s->cut_short = true;
 			return;
+		}
 	}
 	if (!done)
 		return;
@@ -345,6 +348,8 @@ band_why_missing(const struct session *s, const struct entry *entry)
 			"not show how its error changes with "
 			"the speed; measure a "
 			"third")
+	       : are_settings_those_of_fit(s, entry)
+		   ? tr("no uncertainty band: its draws are not complete")
 		   : tr("no uncertainty band: the site was "
 			"calibrated with other "
 			"settings");

@@ -162,7 +162,6 @@ copy_search_history_to_site(struct entry *entry, const struct job *job)
 		job->train);
 	h->n = n;
 	h->generation = xcalloc(n + 1, size);
-	h->stop = job->options.stop;
 	if (n > 0)
 		memcpy(h->generation, g, n * size);
 	history_release(entry->history);
@@ -710,10 +709,13 @@ void
 session_run_job_to_end(struct session *s)
 {
 	while (session_is_calibrating(s))
-		if (s->hooks.stop != NULL && s->hooks.stop())
+		if (s->hooks.stop != NULL && s->hooks.stop()) {
 			session_stop_job_for_user(s);
-		else
+			if (s->cut_short != NULL)
+				*s->cut_short = true;
+		} else {
 			session_run_parallel_tasks(s);
+		}
 }
 
 void

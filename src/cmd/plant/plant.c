@@ -45,12 +45,6 @@ struct fraction_list {
 };
 
 static bool
-do_fractions_overlap(const struct fraction *a, const struct fraction *b)
-{
-	return a->fine < b->coarse && b->fine < a->coarse;
-}
-
-static bool
 parse_size_fractions(
     const char *text, struct fraction_list *c, struct error *error)
 {
@@ -61,7 +55,8 @@ parse_size_fractions(
 		struct fraction f = {0};
 		ok = quantities_parse_size_fraction(part, &f, error);
 		for (size_t i = 0; ok && i < c->n; i++)
-			if (do_fractions_overlap(&f, &c->fraction[i]))
+			if (f.fine < c->fraction[i].coarse &&
+			    c->fraction[i].fine < f.coarse)
 				ok = error_set(error, ERROR_USAGE,
 				    "fractions= has %s, which overlaps with "
 				    "another one\n"

@@ -118,6 +118,22 @@ parse_call_of_script(struct session *s, struct words *words, struct place place,
 }
 
 static bool
+run_command_function(
+    struct session *s, const struct args *args, struct error *error)
+{
+	const struct command *command = args->command;
+	bool cut = false, *outer = s->cut_short;
+	s->cut_short = s->invocation->before == NULL ? &cut : NULL;
+	bool ok = command->answer != NULL ? question_read_and_answer(
+						s, args, command->answer, error)
+					  : command->run(s, args, error);
+	s->cut_short = outer;
+	if (cut && outer != NULL)
+		*outer = true;
+	return cut ? error_set(error, ERROR_STOPPED, "interrupted") : ok;
+}
+
+static bool
 run_command_words(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
@@ -132,10 +148,7 @@ run_command_words(struct session *s, struct words *words, struct place place,
 		      session_require_site(s, command->name, error)) &&
 		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
-		ok = command->answer != NULL
-			 ? question_read_and_answer(
-			       s, &args, command->answer, error)
-			 : command->run(s, &args, error);
+		ok = run_command_function(s, &args, error);
 		s->invocation->running = false;
 		if (!ok || invocation_is_over(s))
 			ok = invocation_end(s, ok, error);

@@ -217,14 +217,6 @@ undo_depth_at_outermost_call(const struct invocation *t)
 	return floor;
 }
 
-static void
-invocation_free(struct invocation *t)
-{
-	free(t->label);
-	free(t->line);
-	free(t);
-}
-
 bool
 invocation_is_over(const struct session *s)
 {
@@ -239,9 +231,10 @@ invocation_end(struct session *s, bool ok, struct error *error)
 {
 	struct invocation *t = s->invocation;
 	/* A check that fails still has an answer. */
-	bool keep = ok || error->kind == ERROR_CHECK;
-	bool changed = t->before != NULL && !was_stopped_without_result(t) &&
-		       snapshot_differs(t->before, s);
+	bool none = was_stopped_without_result(t);
+	bool keep = (ok || error->kind == ERROR_CHECK) && !none;
+	bool changed =
+	    t->before != NULL && !none && snapshot_differs(t->before, s);
 	s->invocation = t->outer;
 	if (ok)
 		record_command_in_journal(s, t, changed);
@@ -269,7 +262,9 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	    journal_current_place(s).state == t->state)
 		journal_assign_state_number(s);
 	autosave_after_command(s, ok, t->saved);
-	invocation_free(t);
+	free(t->label);
+	free(t->line);
+	free(t);
 	return ok;
 }
 

@@ -26,7 +26,6 @@ struct history {
 	struct bounds bounds;
 	const struct site *site;
 	bool *train;
-	bool (*stop)(void);
 	/* For each choice of the runs that inform it (enum correction); NULL
 	 * until it is needed. */
 	struct posterior *posterior[2];

@@ -118,6 +118,10 @@ bool
 session_show_answer(struct session *s, struct answer *answer)
 {
 	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];
+	if (s->cut_short != NULL && *s->cut_short) {
+		answer_free(answer);
+		return true;
+	}
 	if (session_text_width(s) < SESSION_TEXT_WIDTH)
 		answer_set_width(answer, s->screen.columns);
 	if (s->hooks.clear_progress != NULL)

@@ -133,7 +133,10 @@ struct session {
 	struct answer *
 	    *answer; /* newest last, see session_store_newest_answer */
 	struct job job;
-	struct hooks hooks;  /* functions of the driver */
+	struct hooks hooks; /* functions of the driver */
+	/* Becomes true if the user interrupts what the answer of the running
+	 * command rests on; NULL: none runs, or it changes the session. */
+	bool *cut_short;
 	struct files *files; /* those read and written, see files.h; or NULL */
 	size_t n_site;
 	struct site **site;    /* all sites so far; entries borrow them */
@@ -186,8 +189,8 @@ void session_remove_answers(struct session *s);
 bool session_report_file_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
-/* Prints an answer in the format that is set, and keeps it.  Returns true, so
- * that a command can end with this. */
+/* Prints an answer in the format that is set, and keeps it, unless it was cut
+ * short.  Returns true, so that a command can end with this. */
 bool session_show_answer(struct session *s, struct answer *answer);
 
 /* Takes ownership of an answer and keeps it as the newest of its command.  One

@@ -185,7 +185,6 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 	bool made = b.now == NULL && does_digest_match_material(entry->site, m);
 	struct history *h = history_new(
 	    &b.fit, &b.bounds, b.weight, made ? entry->site : b.then, b.train);
-	h->stop = s->hooks.stop;
 	bool own = has_all_runs_of(entry->site, h->site);
 	if (s->job.type != NULL && s->job.entry == *index)
 		session_discard_paused_job(s);
@@ -955,21 +954,16 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* Top sizes are nominal: they match within 5 %, so that 11 finds 11.2. */
-static bool
-is_material_of_top_size(const struct material *m, double top_mm)
-{
-	return fabs(m->top_size_mm - top_mm) <= 0.05 * top_mm;
-}
-
 enum { ALL, TABLE3, OWN };
 
+/* Top sizes are nominal: they match within 5 %, so that 11 finds 11.2. */
 static bool
 does_material_match_options(const struct material *m, const struct args *args)
 {
 	return (args->rock == NULL ||
 		   text_is_same_folded(m->rock, args->rock)) &&
-	       (!(args->top > 0) || is_material_of_top_size(m, args->top)) &&
+	       (!(args->top > 0) ||
+		   fabs(m->top_size_mm - args->top) <= 0.05 * args->top) &&
 	       (args->origin == ALL ||
 		   (args->origin == TABLE3) == material_is_table3(m));
 }

@@ -53,12 +53,6 @@ struct reading {
 	bool lost;
 };
 
-static struct sheet *
-first_sheet(const struct reading *r)
-{
-	return r->page[0].sheet;
-}
-
 /* Reports that there is no table.  Without one, nothing else can be checked. */
 static void
 report_missing_table(struct sheet *sheet)
@@ -307,7 +301,7 @@ read_and_check_sheet_columns(struct reading *r)
 			check_column_has_feed_or_product(
 			    all, &all->column[i], r->request);
 	}
-	if (!r->lost)
+	if (!r->lost && !error_is_stop_requested(r->errors))
 		report_missing_columns(r);
 }
 
@@ -893,7 +887,7 @@ check_sieve_table_found(struct reading *r)
 	for (size_t i = 0; i < r->n_page; i++)
 		n += r->page[i].layout->n;
 	if (n == 0 && !r->lost)
-		report_missing_table(first_sheet(r));
+		report_missing_table(r->page[0].sheet);
 	return n > 0;
 }
 
