@@ -141,6 +141,12 @@ static const struct {
 	"size_mm;feed"},
     {"size_mm,feed,product 1180 rpm,product@79\n" ROWS, 2, 1, "rpm without",
 	"rotor_mm="},
+    {"rotor_mm,840\nrotor_mm,900\nsize_mm,feed,product 1180 "
+     "rpm,product@79\n" ROWS,
+	4, 1, "rpm without", "rotor_mm="},
+    {"VSI with a rotor of 840 mm\nrotor_mm,900\nsize_mm,feed,1180 rpm,79 "
+     "m/s\n" ROWS,
+	4, 1, "rpm without", "rotor_mm="},
     {"size_mm,feed,product@69 (g),product@79\n" ROWS, 1, 14, "product@69 (g)",
 	"3=product@69 passing_pct"},
     {"size_mm,fed,product@69,product@79\n" ROWS, 1, 9, "got 'fed'",
