@@ -30,14 +30,15 @@ struct entry {
 };
 
 /* A long table.  use, head [n_col]: the use and heading of each column, n_value
- * of which are VALUE.  entry [n_row].  n_size: the number of different sieves.
+ * of which are VALUE; owner: the one with each sample's site or machine, or 0.
+ * entry [n_row].  n_size: the number of different sieves.
  * sample [n_sample]: the first row of each sample. */
 struct longer {
 	struct table *table;
 	enum use *use;
 	struct head *head;
 	struct entry *entry;
-	size_t n_size, *sample, n_sample, n_value;
+	size_t n_size, *sample, n_sample, n_value, owner;
 };
 
 static bool
@@ -225,7 +226,8 @@ wide_table_heading(const struct longer *l, size_t lead, size_t value)
 	for (size_t c = 1; c < t->n_col; c++) {
 		struct cell cell = t->row[lead].cell[c];
 		double v;
-		if (l->use[c] != KEY || cell.value == AS_ABSENT)
+		if (l->use[c] != KEY || c == l->owner ||
+		    cell.value == AS_ABSENT)
 			continue;
 		bool number = number_value_of_cell(cell, &v);
 		enum speed_unit unit = heading_speed_unit(&l->head[c]);
@@ -324,6 +326,9 @@ set_wide_table_headings(const struct longer *l, struct table *wide)
 			    wide, wide_table_heading(l, lead, c));
 			wide->head[0].cell[at] = number_reparse_cell_with_text(
 			    t->sheet, t->row[lead].cell[c], text);
+			if (l->owner > 0)
+				wide->head[1].cell[at] =
+				    t->row[lead].cell[l->owner];
 			wide->day[at] = day;
 			wide->name[at] = name;
 			wide->number[at++] = t->number[c];
@@ -337,16 +342,20 @@ replace_by_wide_table(struct longer *l)
 {
 	struct table *t = l->table, old = *t, wide = *t;
 	wide.n_col = 1 + l->n_value * l->n_sample;
-	wide.n_head = 1;
+	wide.n_head = l->owner > 0 ? 2 : 1;
 	wide.titles = 0;
 	wide.n_row = l->n_size;
-	wide.head = xcalloc(1, sizeof *wide.head);
+	wide.head = xcalloc(wide.n_head, sizeof *wide.head);
 	wide.row = xcalloc(wide.n_row, sizeof *wide.row);
 	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
 	wide.name = xcalloc(wide.n_col, sizeof(*wide.name));
 	wide.day = xcalloc(wide.n_col, sizeof(*wide.day));
-	wide.head[0] = new_empty_row(
-	    wide.n_col, t->n_head > 0 ? &t->head[t->n_head - 1] : &t->row[0]);
+	for (size_t r = 0; r < wide.n_head; r++)
+		wide.head[r] = new_empty_row(wide.n_col,
+		    t->n_head > 0 ? &t->head[t->n_head - 1] : &t->row[0]);
+	if (l->owner > 0)
+		wide.head[1].cell[0].text = layout_adopt_text(
+		    &wide, layout_column_heading_text(t, l->owner));
 	char *size = layout_column_heading_text(t, 0);
 	wide.head[0].cell[0].text = layout_adopt_text(&wide, size);
 	wide.number[0] = t->number[0];
@@ -407,6 +416,11 @@ layout_long_to_wide(struct table *t, uint64_t told)
 		FREED char *text = layout_column_heading_text(t, c);
 		head[c] = heading_parse(text);
 		use[c] = c > 0 ? guess_column_use(t, c, &head[c]) : UNUSED;
+		enum lexicon_key key = lexicon_site_key_of_text(text);
+		if (c > 0 && (key == KEY_SITE || key == KEY_MACHINE)) {
+			l.owner = c;
+			use[c] = KEY;
+		}
 		l.n_value += use[c] == VALUE;
 	}
 	assign_size_numbers(&l, told);

@@ -891,10 +891,13 @@ check_sieve_table_found(struct reading *r)
 	return n > 0;
 }
 
-/* Takes the rotor's diameter from titles and remarks, if no key states it. */
+/* Takes the rotor's diameter from the options, else from a key, else from
+ * titles and remarks; from none if the lines of the sheet disagree. */
 static void
-set_rotor_from_remarks(struct reading *r, const struct heading_rotor *said)
+set_rotor_of_site(struct reading *r, const struct heading_rotor *said)
 {
+	if (r->request->rotor > 0 || said->mm < 0)
+		r->site->rotor = r->request->rotor;
 	if (r->site->rotor > 0 || !(said->mm > 0))
 		return;
 	r->site->rotor = said->mm / 1000;
@@ -941,7 +944,7 @@ read_all_tables(struct reading *r)
 		if (page->layout->n == 0)
 			continue;
 		site_heading_read(page->layout, page->sheet, r->site, &told);
-		set_rotor_from_remarks(r, &rotor);
+		set_rotor_of_site(r, &rotor);
 		if (title_has_speed_per_table(page->layout))
 			told = (struct heading_speed){0};
 		for (size_t b = 0;
@@ -1333,13 +1336,10 @@ site_read_with_options(const struct site_request *request,
 	struct site *site = NULL;
 	struct reading r = {
 	    .request = request, .errors = errors, .site = site_new(0)};
-	r.site->rotor = request->rotor;
 	r.source = xcalloc(request->n, sizeof *r.source);
 	if (parse_columns_samples_and_range(&r) && read_site_files(&r)) {
 		read_all_tables(&r);
 		drop_repeated_tables(&r);
-		if (request->rotor > 0)
-			r.site->rotor = request->rotor;
 		set_feed_speeds_from_files(&r);
 		if (request->feed)
 			drop_products_without_speed(&r);
