@@ -251,10 +251,10 @@ evidence_stays_where_it_is(void **state)
 	struct entry *entry = &s->entry[0];
 	struct history *h = entry->origin->history;
 	history_reset_posteriors(h, &s->set);
-	h->stop = at_once;
+	s->hooks.stop = at_once;
 	const struct evidence *e = trust_evidence_of_calibration(s, entry);
 	assert_true(isnan(e->discrepancy));
-	h->stop = NULL;
+	s->hooks.stop = NULL;
 	assert_ptr_equal(trust_evidence_of_calibration(s, entry), e);
 	assert_true(isfinite(e->discrepancy));
 }
