@@ -159,12 +159,6 @@ column_heading_in_unit(
 	return buf;
 }
 
-static bool
-is_column_in_mass(const struct column *c)
-{
-	return SITE_UNITS[c->unit].scale == OF_MASS;
-}
-
 double
 site_column_value_in_row(const struct column *c, size_t row)
 {
@@ -218,7 +212,8 @@ read_column_cells(struct column *c)
 {
 	struct table *t = c->table;
 	bool retained = SITE_UNITS[c->unit].kind == RETAINED;
-	enum cell_value own = is_column_in_mass(c) ? AS_GRAMS : AS_PERCENT;
+	enum cell_value own =
+	    SITE_UNITS[c->unit].scale == OF_MASS ? AS_GRAMS : AS_PERCENT;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[c->at];
 		double v = 0;
