@@ -163,6 +163,16 @@ diff wanted paths >differences
 result $? "the keys of all commands are those of the list"
 remark differences
 
+# Keys of rows are headings of columns, those with @ have a speed or size.
+sed -n '/^\.Sh OUTPUT/,/^\.Sh STORE/p' "$root/man/tipspeed.1.in" >output
+sed 's/.* //' paths | grep -v '^rows\.\|@' | sed 's/.*\.//' | LC_ALL=C sort -u |
+	while read -r key; do
+		grep -qw -- "$key" output || echo "$key"
+	done >unnamed
+[ ! -s unnamed ]
+result $? "tipspeed(1) names each key"
+remark unnamed
+
 # fixed COMMAND KEY...: relied on from outside.
 fixed() {
 	command=$1

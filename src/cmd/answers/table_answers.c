@@ -497,7 +497,8 @@ const struct command TABLE_ANSWERS[] = {
 	.bare = "speed",
 	.option = OPTION_LIST(
 	    {SPEED(speed), "rotor tip speed; default: the best one for the "
-			   "conditions, else a held-out speed, else 74"},
+			   "conditions, else that last asked about, with its "
+			   "feed"},
 	    {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "",
 		"new feed, for a section with its flow"},
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"}),
@@ -514,8 +515,6 @@ const struct command TABLE_ANSWERS[] = {
 	    "which speeds. It needs no network and no other file. For a site "
 	    "that is not calibrated the file has the parts that need no "
 	    "calibration, and states what is missing.",
-	.more = "The default speed is the one last predicted, or the best for "
-		"the conditions.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "report \"passing 2 = 30..36\" > tierp.html",
 	.answer = cmd_report},

@@ -17,9 +17,10 @@
 #include "io/sitefile/lexicon.h"
 
 /* What a column of a long table is used for.  KEY: its cells tell samples apart
- * and describe them; COUNT: they only tell samples apart, as numbers do; VALUE:
- * they are the measured numbers. */
-enum use { UNUSED, KEY, COUNT, VALUE };
+ * and describe them; COUNT: they only tell samples apart, as numbers do; OWNER:
+ * they name each sample's site or machine; VALUE: they are the measured
+ * numbers. */
+enum use { UNUSED, KEY, COUNT, OWNER, VALUE };
 
 /* A row of the long table.  mm: its sieve; size: the index of that sieve among
  * the different ones; lead: the first row of its sample; column: in such a
@@ -30,15 +31,14 @@ struct entry {
 };
 
 /* A long table.  use, head [n_col]: the use and heading of each column, n_value
- * of which are VALUE; owner: the one with each sample's site or machine, or 0.
- * entry [n_row].  n_size: the number of different sieves.
+ * of which are VALUE.  entry [n_row].  n_size: the number of different sieves.
  * sample [n_sample]: the first row of each sample. */
 struct longer {
 	struct table *table;
 	enum use *use;
 	struct head *head;
 	struct entry *entry;
-	size_t n_size, *sample, n_sample, n_value, owner;
+	size_t n_size, *sample, n_sample, n_value;
 };
 
 static bool
@@ -83,7 +83,7 @@ guess_column_use(const struct table *t, size_t c, const struct head *head)
 static bool
 is_sample_id_column(const struct longer *l, size_t c)
 {
-	return l->use[c] == KEY || l->use[c] == COUNT;
+	return l->use[c] != UNUSED && l->use[c] != VALUE;
 }
 
 /* A row, and what it is sorted by: a number or a text. */
@@ -226,8 +226,7 @@ wide_table_heading(const struct longer *l, size_t lead, size_t value)
 	for (size_t c = 1; c < t->n_col; c++) {
 		struct cell cell = t->row[lead].cell[c];
 		double v;
-		if (l->use[c] != KEY || c == l->owner ||
-		    cell.value == AS_ABSENT)
+		if (l->use[c] != KEY || cell.value == AS_ABSENT)
 			continue;
 		bool number = number_value_of_cell(cell, &v);
 		enum speed_unit unit = heading_speed_unit(&l->head[c]);
@@ -326,13 +325,28 @@ set_wide_table_headings(const struct longer *l, struct table *wide)
 			    wide, wide_table_heading(l, lead, c));
 			wide->head[0].cell[at] = number_reparse_cell_with_text(
 			    t->sheet, t->row[lead].cell[c], text);
-			if (l->owner > 0)
-				wide->head[1].cell[at] =
-				    t->row[lead].cell[l->owner];
 			wide->day[at] = day;
 			wide->name[at] = name;
 			wide->number[at++] = t->number[c];
 		}
+	}
+}
+
+/* Adds a row of headings for each column of sites or machines. */
+static void
+add_heading_rows_of_owners(const struct longer *l, struct table *wide)
+{
+	const struct table *t = l->table;
+	for (size_t c = 1; c < t->n_col; c++) {
+		if (l->use[c] != OWNER)
+			continue;
+		struct row *head = &wide->head[wide->n_head++];
+		*head = new_empty_row(wide->n_col, &wide->head[0]);
+		head->cell[0].text =
+		    layout_adopt_text(wide, layout_column_heading_text(t, c));
+		for (size_t i = 0; i + 1 < wide->n_col; i++)
+			head->cell[i + 1] =
+			    t->row[l->sample[i / l->n_value]].cell[c];
 	}
 }
 
@@ -342,25 +356,22 @@ replace_by_wide_table(struct longer *l)
 {
 	struct table *t = l->table, old = *t, wide = *t;
 	wide.n_col = 1 + l->n_value * l->n_sample;
-	wide.n_head = l->owner > 0 ? 2 : 1;
+	wide.n_head = 1;
 	wide.titles = 0;
 	wide.n_row = l->n_size;
-	wide.head = xcalloc(wide.n_head, sizeof *wide.head);
+	wide.head = xcalloc(t->n_col, sizeof *wide.head);
 	wide.row = xcalloc(wide.n_row, sizeof *wide.row);
 	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
 	wide.name = xcalloc(wide.n_col, sizeof(*wide.name));
 	wide.day = xcalloc(wide.n_col, sizeof(*wide.day));
-	for (size_t r = 0; r < wide.n_head; r++)
-		wide.head[r] = new_empty_row(wide.n_col,
-		    t->n_head > 0 ? &t->head[t->n_head - 1] : &t->row[0]);
-	if (l->owner > 0)
-		wide.head[1].cell[0].text = layout_adopt_text(
-		    &wide, layout_column_heading_text(t, l->owner));
+	wide.head[0] = new_empty_row(
+	    wide.n_col, t->n_head > 0 ? &t->head[t->n_head - 1] : &t->row[0]);
 	char *size = layout_column_heading_text(t, 0);
 	wide.head[0].cell[0].text = layout_adopt_text(&wide, size);
 	wide.number[0] = t->number[0];
 	wide.name[0] = size;
 	set_wide_table_headings(l, &wide);
+	add_heading_rows_of_owners(l, &wide);
 	for (size_t r = 0; r < t->n_row; r++) {
 		const struct entry *e = &l->entry[r];
 		struct row *row = &wide.row[e->size];
@@ -417,10 +428,8 @@ layout_long_to_wide(struct table *t, uint64_t told)
 		head[c] = heading_parse(text);
 		use[c] = c > 0 ? guess_column_use(t, c, &head[c]) : UNUSED;
 		enum lexicon_key key = lexicon_site_key_of_text(text);
-		if (c > 0 && (key == KEY_SITE || key == KEY_MACHINE)) {
-			l.owner = c;
-			use[c] = KEY;
-		}
+		if (c > 0 && (key == KEY_SITE || key == KEY_MACHINE))
+			use[c] = OWNER;
 		l.n_value += use[c] == VALUE;
 	}
 	assign_size_numbers(&l, told);

@@ -241,17 +241,6 @@ note_numbers_above_table(struct site *site, const struct cell *key)
 	site_notes_append(&site->left_out, &site->n_left_out, where, what);
 }
 
-/* Sets the value of a known key.  The name of a machine may also state its
- * rotor. */
-static void
-set_site_value_of_key(struct site *site, enum lexicon_key k,
-    struct sheet *sheet, struct cell key, struct cell value)
-{
-	site_heading_set_site_field(site, k, sheet, value);
-	if (k == KEY_MACHINE && !(site->rotor > 0))
-		site_heading_parse_rotor(site, sheet, key, value);
-}
-
 static void
 report_key_without_value(struct sheet *sheet, struct cell key)
 {
@@ -295,7 +284,10 @@ set_site_field_from_next_key(struct site *site, struct sheet *sheet,
 		    "remove one of the two lines",
 		    key.text, seen[k]);
 	} else if (k < N_KEY) {
-		set_site_value_of_key(site, k, sheet, key, value);
+		site_heading_set_site_field(site, k, sheet, value);
+		/* The name of a machine may state its rotor, too. */
+		if (k == KEY_MACHINE && !(site->rotor > 0))
+			site_heading_parse_rotor(site, sheet, key, value);
 	} else {
 		bool taken =
 		    n > 1 &&

@@ -607,13 +607,6 @@ note_lines_outside_tables(struct reading *r, const struct page *page)
 			: note_left_out_lines(r, layout, i);
 }
 
-/* True if a comment is only a rule, "-----". */
-static bool
-is_line_of_dashes(const struct comment *c)
-{
-	return c->text[strspn(c->text, "#-=_+:| \t")] == '\0';
-}
-
 /* Notes what is in the tables or below them and was not read.  A comment may be
  * a sieve that the user has excluded with #. */
 static void
@@ -627,7 +620,9 @@ note_all_unread_lines(struct reading *r)
 		int head = first->n_head > 0 ? first->row[0].line - 1 : 0;
 		for (size_t i = 0; i < page->sheet->n_comment; i++) {
 			const struct comment *c = &page->sheet->comment[i];
-			if (c->line <= head || is_line_of_dashes(c))
+			bool dashes =
+			    c->text[strspn(c->text, "#-=_+:| \t")] == '\0';
+			if (c->line <= head || dashes)
 				continue;
 			int shown = sheet_truncated_text_length(c->text);
 			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
