@@ -50,7 +50,7 @@ const char *
 tui_why_no_prediction(const struct tui *t)
 {
 	return tui_current_site_entry(t) == NULL
-		   ? TUI_NO_SITE
+		   ? tr(TUI_NO_SITE)
 		   : tr("no prediction yet: f calibrates");
 }
 

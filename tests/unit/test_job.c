@@ -612,6 +612,11 @@ what_is_interrupted_shows_and_writes_nothing(void **state)
 	desk_expect(desk, "predict 74");
 	assert_int_not_equal(access("test-job.csv", F_OK), 0);
 	assert_int_not_equal(access("test-job.html", F_OK), 0);
+	desk_expect(desk, "set goal \"passing 2 = 30..36\"");
+	s->hooks.stop = stop_at_once;
+	assert_false(desk_say(desk, "describe psd > test-job.txt"));
+	s->hooks.stop = NULL;
+	assert_int_not_equal(access("test-job.txt", F_OK), 0);
 	assert_non_null(strstr(desk->out + before, "80 % band"));
 }
 

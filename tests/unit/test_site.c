@@ -149,14 +149,19 @@ static const struct {
 	4, 1, "rpm without", "rotor_mm="},
     {"Sample,Quarry,mm,passing\nfeed,A,8,100\nfeed,A,4,50\n70 m/s,A,8,100\n"
      "70 m/s,A,4,60\n79 m/s,B,8,100\n79 m/s,B,4,70\n",
-	4, 8, "one site and machine, got those of 'A' and 'B'", "70 m/s A=@70"},
+	4, 12, "one site and machine, got those of 'A' and 'B'",
+	"70 m/s A=@70"},
     {"Sample,Crusher,mm,passing\nfeed,1,8,100\nfeed,1,4,50\n70 m/s,1,8,100\n"
      "70 m/s,1,4,60\n79 m/s,2,8,100\n79 m/s,2,4,70\n",
-	4, 8, "those of '1' and '2'", "70 m/s 1=@70"},
+	4, 12, "those of '1' and '2'", "70 m/s 1=@70"},
+    /* The number of a crusher is no speed. */
+    {"Sample,Crusher,mm,passing\nfeed,,8,100\nfeed,,4,50\n"
+     "product,75,8,100\nproduct,75,4,60\n",
+	4, 14, "its tip speed, got 'product", "=@SPEED"},
     {"Sample,Quarry,Crusher,mm,passing\nfeed,A,1,8,100\nfeed,A,1,4,50\n"
      "70 m/s,A,1,8,100\n70 m/s,A,1,4,60\n79 m/s,B,1,8,100\n"
      "79 m/s,B,1,4,70\n",
-	4, 10, "those of 'A' and 'B'", "70 m/s A 1=@70"},
+	4, 14, "those of 'A' and 'B'", "70 m/s A 1=@70"},
     {"size_mm,feed,product@69 (g),product@79\n" ROWS, 1, 14, "product@69 (g)",
 	"3=product@69 passing_pct"},
     {"size_mm,fed,product@69,product@79\n" ROWS, 1, 9, "got 'fed'",

@@ -110,11 +110,8 @@ sample_posterior_steps(const struct session *s, const struct entry *entry,
 	bool done = false;
 	for (size_t i = 0; !done && (steps == 0 || i < steps); i++) {
 		done = posterior_step(h->drawing);
-		if (!done && s->hooks.stop != NULL && s->hooks.stop()) {
-			if (s->cut_short != NULL)
-				*s->cut_short = true;
+		if (!done && session_is_interrupted(s))
 			return;
-		}
 	}
 	if (!done)
 		return;

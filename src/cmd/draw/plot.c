@@ -749,7 +749,7 @@ describe_speeds_meeting_goal(
 	double speed = isnan(request->asked.speed) ? site_middle_speed(site)
 						   : request->asked.speed;
 	while (goals_is_search_needed(s, &goal, request->asked.feed) &&
-	       (s->hooks.stop == NULL || !s->hooks.stop()))
+	       !session_is_interrupted(s))
 		goals_step_search(s, entry, &goal, request->asked.feed);
 	FREED char *words =
 	    goals_outcome_text(s, entry, &goal, speed, GOALS_FULL);

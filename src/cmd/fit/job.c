@@ -709,13 +709,10 @@ void
 session_run_job_to_end(struct session *s)
 {
 	while (session_is_calibrating(s))
-		if (s->hooks.stop != NULL && s->hooks.stop()) {
+		if (session_is_interrupted(s))
 			session_stop_job_for_user(s);
-			if (s->cut_short != NULL)
-				*s->cut_short = true;
-		} else {
+		else
 			session_run_parallel_tasks(s);
-		}
 }
 
 void

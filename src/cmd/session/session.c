@@ -115,6 +115,15 @@ session_text_in_last_answer(
 }
 
 bool
+session_is_interrupted(const struct session *s)
+{
+	bool stop = s->hooks.stop != NULL && s->hooks.stop();
+	if (stop && s->cut_short != NULL)
+		*s->cut_short = true;
+	return stop;
+}
+
+bool
 session_show_answer(struct session *s, struct answer *answer)
 {
 	const struct answer_form *form = &ANSWER_FORMATS[s->set.format];

@@ -189,6 +189,10 @@ void session_remove_answers(struct session *s);
 bool session_report_file_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
+/* Returns true if the user wants the running command to stop.  What asks this
+ * and then gives up leaves an answer that is not shown. */
+bool session_is_interrupted(const struct session *s);
+
 /* Prints an answer in the format that is set, and keeps it, unless it was cut
  * short.  Returns true, so that a command can end with this. */
 bool session_show_answer(struct session *s, struct answer *answer);

@@ -984,13 +984,12 @@ may_samples_be_repeats(const struct column *a, const char *x,
 		   a->said.number[0] != b->said.number[0]);
 }
 
-/* Marks as open the products of a table that row r of its headings gives to
- * different sites or machines. */
+/* Marks as open the products of a table that a row of names, cell [t->n_col],
+ * gives to different sites or machines. */
 static void
 mark_products_of_different_sites(
-    struct columns *all, const struct table *t, size_t r)
+    struct columns *all, const struct table *t, const struct cell *cell)
 {
-	const struct cell *cell = t->head[r].cell;
 	struct column *first = NULL;
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];
@@ -1018,8 +1017,12 @@ mark_other_site_samples_to_ask(struct columns *all)
 			enum lexicon_key key =
 			    lexicon_site_key_of_text(t->head[r].cell[0].text);
 			if (key == KEY_SITE || key == KEY_MACHINE)
-				mark_products_of_different_sites(all, t, r);
+				mark_products_of_different_sites(
+				    all, t, t->head[r].cell);
 		}
+		for (size_t r = 0; r < t->n_site; r++)
+			mark_products_of_different_sites(
+			    all, t, t->site[r].cell);
 	}
 }
 

@@ -1433,6 +1433,7 @@ layout_table_clear(struct table *t)
 	rows_free(t->head, t->n_head);
 	rows_free(t->row, t->n_row);
 	rows_free(t->foot, t->n_foot);
+	rows_free(t->site, t->n_site);
 	for (size_t i = 0; i < t->n_text; i++)
 		free(t->text[i]);
 	free(t->text);

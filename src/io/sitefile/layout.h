@@ -15,7 +15,8 @@
  * line, if across.  left, end: the table has the columns of the sheet from left
  * to before end.  after: the last line of the tables above, with the remarks
  * that follow them without a blank line, or 0.  text [n_text]: texts that the
- * table owns.  name [n_col]: the names of the samples in a long table, or NULL.
+ * table owns.  name [n_col]: the names of the samples in a long table, or NULL;
+ * site: rows of the names of their sites or machines, each from one column.
  * day [n_col]: if the headings were replaced, the day of each sample, or NULL
  * if it has none; else NULL.
  *
@@ -36,10 +37,10 @@ struct table {
 	bool below;     /* its sieves are written "< 16", "< 8" */
 	bool unit_open; /* the unit of its sieves is an open question */
 	bool unsure;    /* only its ordered numbers suggest a sieve table */
-	size_t n_col, n_head, n_row, n_foot, titles;
+	size_t n_col, n_head, n_row, n_foot, n_site, titles;
 	size_t left, end;
 	int after;
-	struct row *head, *row, *foot;
+	struct row *head, *row, *foot, *site;
 	size_t *number;
 	size_t n_text;
 	char **text, **name, **day, *title;

@@ -17,10 +17,13 @@
 #include "io/sitefile/lexicon.h"
 
 /* What a column of a long table is used for.  KEY: its cells tell samples apart
- * and describe them; COUNT: they only tell samples apart, as numbers do; OWNER:
- * they name each sample's site or machine; VALUE: they are the measured
- * numbers. */
-enum use { UNUSED, KEY, COUNT, OWNER, VALUE };
+ * and describe them; COUNT: they only tell samples apart, as numbers do; VALUE:
+ * they are the measured numbers. */
+enum use { UNUSED, KEY, COUNT, VALUE };
+
+/* Words of headings above measured numbers. */
+static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS | WORD_PERCENT |
+				WORD_GRAMS | WORD_MASS | WORD_SHARE;
 
 /* A row of the long table.  mm: its sieve; size: the index of that sieve among
  * the different ones; lead: the first row of its sample; column: in such a
@@ -59,9 +62,6 @@ is_numeric_column(const struct table *t, size_t c)
 static enum use
 guess_column_use(const struct table *t, size_t c, const struct head *head)
 {
-	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
-					WORD_PERCENT | WORD_GRAMS | WORD_MASS |
-					WORD_SHARE;
 	bool numeric = is_numeric_column(t, c);
 	if ((head->means & (WORD_OTHER | WORD_LIMIT)) != 0)
 		return UNUSED;
@@ -83,7 +83,7 @@ guess_column_use(const struct table *t, size_t c, const struct head *head)
 static bool
 is_sample_id_column(const struct longer *l, size_t c)
 {
-	return l->use[c] != UNUSED && l->use[c] != VALUE;
+	return l->use[c] == KEY || l->use[c] == COUNT;
 }
 
 /* A row, and what it is sorted by: a number or a text. */
@@ -332,20 +332,51 @@ set_wide_table_headings(const struct longer *l, struct table *wide)
 	}
 }
 
-/* Adds a row of headings for each column of sites or machines. */
-static void
-add_heading_rows_of_owners(const struct longer *l, struct table *wide)
+/* True if the cells of a column name each sample's site or machine, and not the
+ * sample itself. */
+static bool
+is_column_of_sites(const struct longer *l, size_t c)
 {
 	const struct table *t = l->table;
+	FREED char *text = layout_column_heading_text(t, c);
+	enum lexicon_key key = lexicon_site_key_of_text(text);
+	bool names = key == KEY_SITE || key == KEY_MACHINE;
+	for (size_t r = 0; r < t->n_row && names; r++) {
+		struct head cell = heading_parse(t->row[r].cell[c].text);
+		names = !heading_has_speed(&cell) &&
+			(cell.means & (WORD_FEED | WORD_PRODUCT)) == 0;
+	}
+	return names;
+}
+
+/* Takes numbers of sites or machines, beside a column of measured numbers, for
+ * what tells samples apart. */
+static void
+recognise_numbers_of_sites(struct longer *l)
+{
+	bool measured = false;
+	for (size_t c = 1; c < l->table->n_col; c++)
+		measured = measured || (l->use[c] == VALUE &&
+					   (l->head[c].means & COUNTED) != 0);
+	for (size_t c = 1; measured && c < l->table->n_col; c++)
+		if (l->use[c] == VALUE && is_column_of_sites(l, c)) {
+			l->use[c] = COUNT;
+			l->n_value--;
+		}
+}
+
+static void
+set_wide_table_sites(const struct longer *l, struct table *wide)
+{
+	const struct table *t = l->table;
+	wide->site = xcalloc(t->n_col, sizeof *wide->site);
 	for (size_t c = 1; c < t->n_col; c++) {
-		if (l->use[c] != OWNER)
+		if (!is_sample_id_column(l, c) || !is_column_of_sites(l, c))
 			continue;
-		struct row *head = &wide->head[wide->n_head++];
-		*head = new_empty_row(wide->n_col, &wide->head[0]);
-		head->cell[0].text =
-		    layout_adopt_text(wide, layout_column_heading_text(t, c));
+		struct row *site = &wide->site[wide->n_site++];
+		*site = new_empty_row(wide->n_col, &wide->head[0]);
 		for (size_t i = 0; i + 1 < wide->n_col; i++)
-			head->cell[i + 1] =
+			site->cell[i + 1] =
 			    t->row[l->sample[i / l->n_value]].cell[c];
 	}
 }
@@ -359,7 +390,7 @@ replace_by_wide_table(struct longer *l)
 	wide.n_head = 1;
 	wide.titles = 0;
 	wide.n_row = l->n_size;
-	wide.head = xcalloc(t->n_col, sizeof *wide.head);
+	wide.head = xcalloc(1, sizeof *wide.head);
 	wide.row = xcalloc(wide.n_row, sizeof *wide.row);
 	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
 	wide.name = xcalloc(wide.n_col, sizeof(*wide.name));
@@ -371,7 +402,7 @@ replace_by_wide_table(struct longer *l)
 	wide.number[0] = t->number[0];
 	wide.name[0] = size;
 	set_wide_table_headings(l, &wide);
-	add_heading_rows_of_owners(l, &wide);
+	set_wide_table_sites(l, &wide);
 	for (size_t r = 0; r < t->n_row; r++) {
 		const struct entry *e = &l->entry[r];
 		struct row *row = &wide.row[e->size];
@@ -427,11 +458,9 @@ layout_long_to_wide(struct table *t, uint64_t told)
 		FREED char *text = layout_column_heading_text(t, c);
 		head[c] = heading_parse(text);
 		use[c] = c > 0 ? guess_column_use(t, c, &head[c]) : UNUSED;
-		enum lexicon_key key = lexicon_site_key_of_text(text);
-		if (c > 0 && (key == KEY_SITE || key == KEY_MACHINE))
-			use[c] = OWNER;
 		l.n_value += use[c] == VALUE;
 	}
+	recognise_numbers_of_sites(&l);
 	assign_size_numbers(&l, told);
 	if ((find_samples_of_long_table(&l) || find_id_or_date_column(&l)) &&
 	    (good = has_table_room_for_samples(&l))) {
