@@ -629,8 +629,9 @@ a_description_is_stopped(void **state)
 	desk_expect(desk, PARAMS_SET);
 	desk_expect(desk, "set goal p80=5..5.3");
 	desk->session->hooks.stop = stop_at_once;
-	desk_expect(desk, "describe psd");
-	assert_non_null(strstr(desk->out, "being worked out"));
+	assert_false(desk_say(desk, "describe psd"));
+	assert_int_equal(desk->error.kind, ERROR_STOPPED);
+	assert_null(strstr(desk->out, "being worked out"));
 	desk->session->hooks.stop = NULL;
 	desk_expect(desk, "describe psd");
 	assert_non_null(strstr(desk->out, "p80=5..5.3: met"));
