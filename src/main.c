@@ -310,7 +310,7 @@ main(int argc, char **argv)
 	}
 	free(in.action);
 	/* What failed because of a signal was ended by it. */
-	if (status != 0 && signals_get_recorded() != 0)
+	if (status != 0 && signals_get_ending_or_interrupt() != 0)
 		status = signals_exit_status();
 	return flush_stdout(status);
 }

@@ -31,7 +31,7 @@ ask_wait_for_line(char **line)
 	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
 		sigaddset(&held, ENDS[i]);
 	sigprocmask(SIG_BLOCK, &held, &was);
-	while (c != '\n' && signals_get_recorded() == 0) {
+	while (c != '\n' && signals_get_ending_or_interrupt() == 0) {
 		if (!signals_wait_for_input_with_mask(&was, INFINITY))
 			continue;
 		ssize_t got = read(STDIN_FILENO, &c, 1);

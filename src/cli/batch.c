@@ -207,7 +207,8 @@ batch_run_typed_lines(struct session *s)
 			script_set_error_long_line(ERROR_TYPED, number, &error);
 			error_print(&error, stderr);
 		}
-		if (got != TEXT_LINE && signals_get_recorded() != SIGINT)
+		if (got != TEXT_LINE &&
+		    signals_get_ending_or_interrupt() != SIGINT)
 			break;
 		n = from = more ? from + strlen(line + from) : 0;
 		if (got == TEXT_END)

@@ -17,7 +17,7 @@ end_commands_started_by_line(
     const struct driver *d, int status, const char *line, const char *name)
 {
 	struct error error = {.kind = (enum error_kind)status};
-	bool ok = status == 0 || signals_get_recorded() != 0;
+	bool ok = status == 0 || signals_get_ending_or_interrupt() != 0;
 	if (!session_end_finished_commands(d->session, ok, &error) && ok)
 		d->fail(d->of, &error, line, name);
 }
@@ -47,8 +47,8 @@ report_failed_command(const struct driver *d, const struct error *e,
 		d->fail(d->of, e, line, name);
 	else if (d->interrupted != NULL)
 		d->interrupted(name, number);
-	return signals_get_recorded() != 0 ? signals_exit_status()
-					   : (int)e->kind;
+	return signals_get_ending_or_interrupt() != 0 ? signals_exit_status()
+						      : (int)e->kind;
 }
 
 /* Runs to their ends what the line's commands have started: the job, scripts,
@@ -104,13 +104,13 @@ driver_run_scripts(const struct driver *d, size_t depth)
 	struct session *s = d->session;
 	int status = 0;
 	while (status == 0 && s->scripts > depth && !s->quit &&
-	       signals_get_recorded() == 0) {
+	       signals_get_ending_or_interrupt() == 0) {
 		struct error error = {0};
 		struct place place;
 		FREED char *line = script_read_line(s, &place, &error);
 		if (line != NULL && d->begins != NULL)
 			d->begins(d->of, line);
-		if (line != NULL && signals_get_recorded() == 0)
+		if (line != NULL && signals_get_ending_or_interrupt() == 0)
 			status = driver_run_line_to_end(
 			    d, line, place.file, place.line);
 		else if (error.kind != ERROR_NONE)
@@ -119,5 +119,6 @@ driver_run_scripts(const struct driver *d, size_t depth)
 			status = (int)error.kind;
 	}
 	script_close_to_depth(s, depth);
-	return signals_get_recorded() != 0 ? signals_exit_status() : status;
+	return signals_get_ending_or_interrupt() != 0 ? signals_exit_status()
+						      : status;
 }

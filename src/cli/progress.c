@@ -191,12 +191,13 @@ progress_run_job(struct session *s)
 	    .shown = session_clock_seconds()};
 	signals_usr1_since_last_call();
 	s->hooks.clear_progress = p.terminal ? clear_progress_line : NULL;
-	while (session_is_calibrating(s) && signals_get_recorded() == 0) {
+	while (session_is_calibrating(s) &&
+	       signals_get_ending_or_interrupt() == 0) {
 		session_run_parallel_tasks(s);
 		if (session_is_calibrating(s) && signals_usr1_since_last_call())
 			print_progress_for_sigusr1(s);
 		print_progress(s, &p);
 	}
 	clear_progress_line();
-	return signals_get_recorded() == 0;
+	return signals_get_ending_or_interrupt() == 0;
 }

@@ -64,7 +64,7 @@ shared_prefix_bytes(char **text, size_t n)
  * two do not match.  from: where the candidate's word begins in the line;
  * start: where readline's word does. */
 static char *
-completion_text_for_word(
+candidate_as_readline_word(
     const struct candidate *c, const char *line, long from, long start)
 {
 	const char *tail = c->append == '=' ? "=" : "";
@@ -89,7 +89,7 @@ on_readline_complete(const char *text, int start, int end)
 	    prompt.session, line, before + (size_t)end);
 	char **matches = xcalloc(c->n + 2, sizeof *matches);
 	for (size_t i = 0; i < c->n; i++) {
-		char *word = completion_text_for_word(&c->candidate[i], line,
+		char *word = candidate_as_readline_word(&c->candidate[i], line,
 		    (long)c->start, (long)before + start);
 		if (word != NULL)
 			matches[++n] = word;
@@ -187,7 +187,7 @@ process_terminal_signals(void)
 static bool
 wait_for_key(void)
 {
-	while (signals_get_recorded() == 0) {
+	while (signals_get_ending_or_interrupt() == 0) {
 		if (signals_wait_for_input(INFINITY))
 			return true;
 		process_terminal_signals();
@@ -214,7 +214,7 @@ fake_key_to_end_input(void)
 						     : EOF;
 	rl_point = rl_end;
 	rl_redisplay();
-	if (signals_get_recorded() == SIGINT)
+	if (signals_get_ending_or_interrupt() == SIGINT)
 		fputs("^C", rl_outstream);
 	return READERR;
 }
@@ -233,7 +233,7 @@ on_readline_getc(FILE *in)
 		ssize_t got = -1;
 		errno = EINTR;
 		signals_unblock();
-		if (signals_get_recorded() == 0)
+		if (signals_get_ending_or_interrupt() == 0)
 			got = read(fileno(in), &c, 1);
 		signals_block();
 		if (got == 1)
@@ -308,7 +308,7 @@ run_entered_lines(struct session *s, char *typed, int *number)
 		if (!more && run_line_with_pager(s, joined, (*number)++) != 0 &&
 		    prompt.offer.line != NULL)
 			prompt.stage = -1;
-		if (signals_get_recorded() != 0)
+		if (signals_get_ending_or_interrupt() != 0)
 			break;
 	}
 }
@@ -545,10 +545,10 @@ repl_run(struct session *s)
 			    !handle_reply_to_offer(s, typed, &number))
 				run_entered_lines(s, typed, &number);
 			free(typed);
-		} else if (signals_get_recorded() == 0) {
+		} else if (signals_get_ending_or_interrupt() == 0) {
 			break;
 		}
-		if (signals_get_recorded() != 0)
+		if (signals_get_ending_or_interrupt() != 0)
 			prompt.before[0] = '\0';
 		signals_clear_interrupt();
 	}

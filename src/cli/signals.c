@@ -101,7 +101,8 @@ signals_wait_for_input_with_mask(const sigset_t *mask, double seconds)
 bool
 signals_wait_for_input(double seconds)
 {
-	if (signals_get_recorded() != 0 || stopped || woken || resized)
+	if (signals_get_ending_or_interrupt() != 0 || stopped || woken ||
+	    resized)
 		return false;
 	return signals_wait_for_input_with_mask(&let_in, seconds);
 }
@@ -162,7 +163,7 @@ signals_suspend_program(void)
 }
 
 int
-signals_get_recorded(void)
+signals_get_ending_or_interrupt(void)
 {
 	return ending != 0 ? ending : interrupted ? SIGINT : 0;
 }
@@ -182,7 +183,7 @@ signals_clear_interrupt(void)
 int
 signals_exit_status(void)
 {
-	int signal = signals_get_recorded();
+	int signal = signals_get_ending_or_interrupt();
 	return signal != 0 ? 128 + signal : 0;
 }
 
@@ -205,7 +206,7 @@ signals_is_stop_wanted(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-	if (signals_get_recorded() != 0)
+	if (signals_get_ending_or_interrupt() != 0)
 		return true;
 	sigpending(&held);
 	return sigismember(&held, SIGINT) || sigismember(&held, SIGTERM) ||

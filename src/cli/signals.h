@@ -43,7 +43,7 @@ void signals_set_suspend_handler(bool note);
 void signals_suspend_program(void);
 
 /* Returns the recorded signal, or 0; others take precedence over SIGINT. */
-int signals_get_recorded(void);
+int signals_get_ending_or_interrupt(void);
 
 /* True if the terminal or the system has asked the program to end. */
 bool signals_is_end_wanted(void);

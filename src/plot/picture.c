@@ -810,7 +810,7 @@ draw_and_free_bars(struct bars *bars, struct pen *pen, struct pen_bar look,
 /* Draws the bars of all cells, those of the same kind, colour and faintness in
  * one path. */
 static void
-draw_bars_of_canvas_cells(
+draw_block_characters_of_canvas(
     const struct canvas *canvas, int depth, struct pen *pen)
 {
 	static const struct bar WHOLE = {0, 4, 8, 4};
@@ -921,7 +921,7 @@ picture_write_screen(const struct canvas *canvas, int depth,
 	struct pen_paper paper = make_pen_paper_for_canvas(canvas, depth, size);
 	struct pen *pen = new_pen_for_format(
 	    form, size[0], size[1], &paper, title, about, out);
-	draw_bars_of_canvas_cells(canvas, depth, pen);
+	draw_block_characters_of_canvas(canvas, depth, pen);
 	for (int row = 0; row < canvas->rows; row++)
 		draw_canvas_row_text(canvas, depth, pen, row);
 	return pen->close(pen);

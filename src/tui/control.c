@@ -105,7 +105,8 @@ report_how_command_ended(struct tui *t, bool restores, bool ok)
 	if (drawn)
 		viewer_close(t);
 	/* A signal from elsewhere ends the program, unless a script runs. */
-	if ((t->of_script || t->stopping) && signals_get_recorded() == SIGINT) {
+	if ((t->of_script || t->stopping) &&
+	    signals_get_ending_or_interrupt() == SIGINT) {
 		signals_clear_interrupt();
 		captured_discard_output(t);
 		if (t->of_script)
@@ -142,12 +143,13 @@ report_how_command_ended(struct tui *t, bool restores, bool ok)
 static bool
 run_job_to_end(struct session *s)
 {
-	while (session_is_calibrating(s) && signals_get_recorded() == 0) {
+	while (session_is_calibrating(s) &&
+	       signals_get_ending_or_interrupt() == 0) {
 		session_step_job(s);
 		draw_progress_if_due(open, false);
 		signals_deliver_blocked();
 	}
-	return signals_get_recorded() == 0;
+	return signals_get_ending_or_interrupt() == 0;
 }
 
 /* For hooks.stop: long commands call this, which then looks for Esc.  The
@@ -293,7 +295,7 @@ run_line_capturing_output(struct tui *t, const char *line)
 	t->of_script = t->stopping = false;
 	/* A signal is not an error: results found before it are kept. */
 	bool ok = driver_run_line_to_end(&d, line, ERROR_TYPED, 0) == 0 ||
-		  signals_get_recorded() != 0;
+		  signals_get_ending_or_interrupt() != 0;
 	report_how_command_ended(
 	    t, control_command_of_line(line) == command_find("restore"), ok);
 	move_slider_to_answer_speed(t, line, ok);

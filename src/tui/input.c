@@ -123,7 +123,7 @@ input_read_next_key(struct tui *t, int *code, bool *special)
 		*special = t->put_back.special;
 		return true;
 	}
-	while (signals_get_recorded() == 0) {
+	while (signals_get_ending_or_interrupt() == 0) {
 		int got = read_curses_key(&c);
 		if (got == ERR && !is_input_waiting())
 			return false;

@@ -119,7 +119,9 @@ press_keys_of_word(
 		word, key ? n : text_width_in_columns(word), pressed, error))
 		return false;
 	if (key) {
-		for (; n > 0 && !t->leave && signals_get_recorded() == 0; n--)
+		for (; n > 0 && !t->leave &&
+		       signals_get_ending_or_interrupt() == 0;
+		     n--)
 			press_key_in_script(t, code, code > 255);
 		return true;
 	}
@@ -147,7 +149,7 @@ press_keys_of_script(struct tui *t, const char *keys, struct error *error)
 	     ok && word != NULL && !t->leave && !t->session->quit;
 	     word = strtok_r(NULL, " ", &keys_left)) {
 		ok = press_keys_of_word(t, word, &pressed, error);
-		if (ok && signals_get_recorded() != 0)
+		if (ok && signals_get_ending_or_interrupt() != 0)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
 	}

@@ -89,7 +89,8 @@ handle_typed_keys(struct tui *t)
 {
 	int code;
 	bool special;
-	while (!t->leave && !t->session->quit && signals_get_recorded() == 0 &&
+	while (!t->leave && !t->session->quit &&
+	       signals_get_ending_or_interrupt() == 0 &&
 	       input_read_next_key(t, &code, &special)) {
 		keymap_handle_key(t, code, special);
 		signals_deliver_blocked();
@@ -136,7 +137,7 @@ static bool
 wait_for_answer_key(struct tui *t, int *code, bool *special)
 {
 	bool done = false;
-	while (!done && signals_get_recorded() == 0) {
+	while (!done && signals_get_ending_or_interrupt() == 0) {
 		draw_and_wait_for_input(t);
 		done = input_read_next_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
@@ -167,7 +168,8 @@ is_stop_key_pressed(struct tui *t)
 static void
 run_screen_loop(struct tui *t)
 {
-	while (!t->leave && !t->session->quit && signals_get_recorded() == 0) {
+	while (!t->leave && !t->session->quit &&
+	       signals_get_ending_or_interrupt() == 0) {
 		t->clock = session_clock_seconds();
 		signals_set_stop_on_key(true);
 		view_update(t);

@@ -79,7 +79,7 @@ discard_stale_predictions(struct tui *t)
 	if (entry != NULL && b->site == entry->site &&
 	    b->origin == entry->origin &&
 	    memcmp(&b->params, &entry->params, sizeof b->params) == 0 &&
-	    settings_are_equal(&b->set, set))
+	    settings_are_equal_but_for_looks(&b->set, set))
 		return;
 	if (entry == NULL || b->site != entry->site)
 		t->view.of.speed = 0;

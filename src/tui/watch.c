@@ -172,7 +172,8 @@ watch_run_due_fit_steps(struct tui *t)
 		if (type->task_words != NULL)
 			captured_discard_output(t);
 		session_step_job(s);
-	} while (session_is_calibrating(s) && signals_get_recorded() == 0 &&
+	} while (session_is_calibrating(s) &&
+		 signals_get_ending_or_interrupt() == 0 &&
 		 entry == s->job.entry &&
 		 (pace == PACE_FULL || is_sampling_posterior(s)) &&
 		 (t->aside || (!signals_is_stop_wanted() &&

@@ -126,7 +126,7 @@ static void
 mixed_product(const struct posterior *p, size_t d, const struct psd *feed,
     double v, double *out)
 {
-	struct psd curve = psd_smooth_curve(feed);
+	struct psd curve = psd_add_points_on_cubic(feed);
 	exact_product(&p->draw[d].params, &p->draw[d].strengths, p->settings,
 	    &curve, feed, v, out);
 	psd_free(&curve);

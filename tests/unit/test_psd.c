@@ -51,7 +51,7 @@ a_curve_is_smooth_where_sieves_lie_far_apart(void **state)
 	struct psd psd = {5, size, passing};
 	for (size_t i = 0; i < 5; i++)
 		passing[i] = sqrt(size[i] / size[0]);
-	struct psd curve = psd_smooth_curve(&psd);
+	struct psd curve = psd_add_points_on_cubic(&psd);
 	double worst = 0, straight = 0;
 	assert_int_equal(curve.n, 1 + 2 + 4 + 4 + 1);
 	for (size_t i = 0; i < 5; i++)
@@ -68,11 +68,11 @@ a_curve_is_smooth_where_sieves_lie_far_apart(void **state)
 	assert_true(straight > 0.03 && worst < 0.008);
 	psd_free(&curve);
 	psd.n = 2;
-	curve = psd_smooth_curve(&psd);
+	curve = psd_add_points_on_cubic(&psd);
 	assert_true(psd_is_same(&psd, &curve));
 	psd_free(&curve);
 	struct psd upper = {4, SIZES, PASSINGS};
-	curve = psd_smooth_curve(&upper);
+	curve = psd_add_points_on_cubic(&upper);
 	assert_true(psd_is_same(&upper, &curve));
 	psd_free(&curve);
 }

@@ -123,7 +123,7 @@ parse_wanted_material(const struct site *site, const struct args *args,
 }
 
 static void
-put_picked_materials(struct fields *o, const struct guess_sources *b)
+put_guess_source_fields(struct fields *o, const struct guess_sources *b)
 {
 	struct fields *list = fields_add_list(o, "materials");
 	for (size_t i = 0; i < b->n; i++) {
@@ -162,7 +162,7 @@ put_guessed_product_fields(
 		answers_put_low_high_field(o, ANSWERS_SIZE[i].range_key,
 		    1000 * range->low, 1000 * range->high);
 	}
-	put_picked_materials(o, b);
+	put_guess_source_fields(o, b);
 	fields_put_values(fields_add_object(o, "leave_one_site_out"),
 	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
 	    "feed_rmse_pct %g held_pct %g",

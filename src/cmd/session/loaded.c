@@ -102,7 +102,7 @@ origin_new(char *words, const char *from, const char *provenance)
 }
 
 static void
-add_training_speed(struct origin *o, double speed)
+origin_add_training_speed(struct origin *o, double speed)
 {
 	o->speed = xrealloc(o->speed, o->n_speed + 1, sizeof *o->speed);
 	o->speed[o->n_speed++] = speed;
@@ -135,7 +135,7 @@ origin_new_of_fit(const struct entry *entry)
 	o->history = retain_fit_history(entry->history);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (entry->train[r] && !site_run_repeats_speed(site, r))
-			add_training_speed(o, site->run[r].speed);
+			origin_add_training_speed(o, site->run[r].speed);
 	return o;
 }
 
@@ -157,7 +157,7 @@ origin_new_of_copied_params(const struct entry *from)
 	o->digest = was->digest;
 	o->history = retain_fit_history(was->history);
 	for (size_t i = 0; i < was->n_speed; i++)
-		add_training_speed(o, was->speed[i]);
+		origin_add_training_speed(o, was->speed[i]);
 	return o;
 }
 
@@ -203,7 +203,7 @@ origin_new_from_store(const struct material *m)
 	     word = strtok_r(NULL, ",", &next)) {
 		double speed;
 		if (text_parse_number(word, &speed))
-			add_training_speed(o, speed);
+			origin_add_training_speed(o, speed);
 	}
 	o->found = strcmp(m->origin, "hand") != 0 || o->n_speed > 0;
 	return o;

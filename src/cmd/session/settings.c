@@ -118,7 +118,8 @@ settings_default_speed_range(const struct settings *set,
 }
 
 bool
-settings_are_equal(const struct settings *a, const struct settings *b)
+settings_are_equal_but_for_looks(
+    const struct settings *a, const struct settings *b)
 {
 	bool same = a->seed == b->seed &&
 		    model_settings_are_same(&a->model, &b->model) &&

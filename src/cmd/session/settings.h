@@ -53,7 +53,8 @@ struct settings settings_default(void);
 
 /* True if the settings, bounds, seed and timing are equal; ignores the look of
  * the full screen. */
-bool settings_are_equal(const struct settings *a, const struct settings *b);
+bool settings_are_equal_but_for_looks(
+    const struct settings *a, const struct settings *b);
 
 /* Returns the probability of bands, 0..1. */
 double settings_band_probability(const struct settings *set);

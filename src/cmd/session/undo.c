@@ -106,7 +106,7 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 	    snapshot->current != s->current || snapshot->log != s->log ||
 	    snapshot->spec != s->spec || snapshot->pin != s->pin ||
 	    snapshot->energy != s->energy ||
-	    !settings_are_equal(&snapshot->set, &s->set))
+	    !settings_are_equal_but_for_looks(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (!session_entries_are_equal(

@@ -52,7 +52,7 @@ fit_trial_idle_power(
 /* Finds the range of factors to try: from 1 to the largest of any reading
  * without idle power. */
 static void
-range_of_power_factors_to_try(
+set_speed_and_find_factor_range(
     struct power *p, const struct reading *reading, double range[2])
 {
 	double top = 0;
@@ -118,7 +118,7 @@ fit_power_draws_to_readings(struct power *p, const struct reading *reading)
 {
 	struct trial t[TRIED];
 	double range[2], weight[TRIED];
-	range_of_power_factors_to_try(p, reading, range);
+	set_speed_and_find_factor_range(p, reading, range);
 	for (size_t k = 0; k < TRIED; k++) {
 		double e = (double)(k / FACTORS) / (EXPONENTS - 1),
 		       f = ((double)(k % FACTORS) + 0.5) / FACTORS;

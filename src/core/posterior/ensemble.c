@@ -196,7 +196,7 @@ struct ensemble *
 ensemble_new(const struct posterior *p, const struct psd *measured,
     const double *size, size_t n)
 {
-	struct psd curve = psd_smooth_curve(measured), *feed = &curve;
+	struct psd curve = psd_add_points_on_cubic(measured), *feed = &curve;
 	struct ensemble *e = xcalloc(1, sizeof *e);
 	*e = (struct ensemble){.of = p,
 	    .n = n,

@@ -30,7 +30,8 @@ compute_run_residuals(const struct posterior *p, const struct misfit_run *run,
 /* Returns the standard deviation of the errors that a sample shares along its
  * curve. */
 static double
-estimate_error_along_curve(const struct posterior *p, const struct misfit *m)
+estimate_sd_shared_along_curve(
+    const struct posterior *p, const struct misfit *m)
 {
 	double sum = 0;
 	if (m->n_run == p->n_speed)
@@ -137,7 +138,7 @@ lack_of_fit_compute(struct posterior *p, const struct misfit *m)
 		return;
 	double *r = residuals_of_runs(p, m), *h = r + m->n_residual;
 	double *share = xcalloc_doubles(m->n_run),
-	       shared = estimate_error_along_curve(p, m);
+	       shared = estimate_sd_shared_along_curve(p, m);
 	for (size_t j = 0, at = 0; j < m->n_run; at += m->run[j++].n)
 		share[j] = residual_share_due_to_product(
 		    r + at, h + at, m->run[j].n, shared);

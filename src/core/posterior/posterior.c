@@ -983,7 +983,7 @@ copy_site_with_smooth_feeds(const struct site *site)
 {
 	struct site *copy = site_copy(site);
 	for (size_t r = 0; r < copy->n_run; r++) {
-		struct psd curve = psd_smooth_curve(&copy->run[r].feed);
+		struct psd curve = psd_add_points_on_cubic(&copy->run[r].feed);
 		psd_free(&copy->run[r].feed);
 		copy->run[r].feed = curve;
 	}

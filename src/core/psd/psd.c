@@ -106,7 +106,7 @@ interpolate_smooth_passing(
 }
 
 struct psd
-psd_smooth_curve(const struct psd *psd)
+psd_add_points_on_cubic(const struct psd *psd)
 {
 	size_t n = psd->n, points = n;
 	if (n < 3)

@@ -32,7 +32,7 @@ double psd_passing(const struct psd *psd, double x);
 /* Returns the curve with points added about every half octave between sieves
  * further apart than that, on Steffen's monotone cubic in log size: real curves
  * have no corners (D18). */
-struct psd psd_smooth_curve(const struct psd *psd);
+struct psd psd_add_points_on_cubic(const struct psd *psd);
 
 /* Returns a curve at the sizes [n], m, coarsest first, with sizes added so that
  * neighbours are at most a tenth apart (a seventh among those finer than a

@@ -447,7 +447,8 @@ perturb_best_params(const struct calibration *c, size_t number)
  * largest; otherwise, one of PLACES evenly spaced between the bounds, on a log
  * scale if these are above 0. */
 static double
-value_to_fix_parameter_at(const struct calibration *c, size_t j, size_t number)
+nth_value_to_hold_parameter(
+    const struct calibration *c, size_t j, size_t number)
 {
 	static const double SHARE[PLACES] = {
 	    -1, -0.1, -0.01, 0, 0.001, 0.003, 0.03, 0.3};
@@ -479,7 +480,7 @@ perturb_params_with_one_fixed(
 			break;
 	if (j == c->misfit->of->n)
 		return false;
-	w->p.at[j] = value_to_fix_parameter_at(c, j, number % PLACES);
+	w->p.at[j] = nth_value_to_hold_parameter(c, j, number % PLACES);
 	w->first.lower[j] = w->first.upper[j] = w->p.at[j];
 	return true;
 }
