@@ -117,6 +117,9 @@ parse_call_of_script(struct session *s, struct words *words, struct place place,
 	return parse_command_words(words, place, args, error);
 }
 
+/* Runs the command.  Returns false with ERROR_STOPPED if the user interrupted
+ * its answer, and then the command that runs this one, such as source, is
+ * interrupted, too. */
 static bool
 run_command_function(
     struct session *s, const struct args *args, struct error *error)

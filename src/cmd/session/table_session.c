@@ -36,11 +36,10 @@ const struct command TABLE_SESSION[] = {
 	    "the recalled materials: a site file or a material with other "
 	    "numbers is refused. Files in the folder of the script, or below "
 	    "it, are named relative to it, so that the folder can be moved or "
-	    "given away. Results are saved "
-	    "with > FILE after a command, not with save. To a name without "
-	    "an ending, .tip is added. A file that this session was saved to "
-	    "before "
-	    "is saved again without replace=on.",
+	    "given away. Results are saved with > FILE after a command, not "
+	    "with save. If the name has no ending, .tip is added. A file that "
+	    "this session was saved to before is saved again without "
+	    "replace=on.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
 		   "save plant",
 	.run = cmd_save},
