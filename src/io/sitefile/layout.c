@@ -500,8 +500,8 @@ is_unit_after_value(const struct sheet_grid *g, size_t r, size_t c)
 {
 	double v;
 	size_t filled = 0;
-	for (size_t k = 0; k < g->n_col; k++)
-		filled += is_cell_filled(g, r, k) ? 1 : 0;
+	for (size_t k = 0; k < g->n_col && filled <= 3; k++)
+		filled += is_cell_filled(g, r, k);
 	return filled == 3 && c >= 2 && c < g->n_col &&
 	       cell_classification_at(g, r, c)->head &&
 	       is_cell_filled(g, r, c - 2) &&

@@ -112,7 +112,7 @@ material_list_free(struct material_list *list)
 void
 material_list_add(struct material_list *list, struct material m)
 {
-	list->item = xrealloc(list->item, list->n + 1, sizeof m);
+	list->item = xgrow_by_one(list->item, list->n, sizeof m);
 	list->item[list->n++] = m;
 }
 
