@@ -66,23 +66,23 @@ paste() {
 }
 keys() { mux send-keys -t one "$@"; }
 shot() { mux capture-pane -t one -p >screen 2>&1; }
-# want PATTERN [NAME]: waits until the screen has it, ten seconds at most.
+# want PATTERN [NAME]: waits until the screen has it, thirty seconds at most.
 want() {
 	tries=0
-	until shot; grep -q -e "$1" screen || [ $tries -ge 300 ]; do
+	until shot; grep -q -e "$1" screen || [ $tries -ge 1000 ]; do
 		sleep 0.03
 		tries=$((tries + 1))
 	done
-	[ $tries -lt 300 ]
+	[ $tries -lt 1000 ]
 	good=$?
 	[ -z "${2:-}" ] && [ $good -eq 0 ] && return
 	[ $good -eq 0 ] || remark screen
 	result $good "${2:-the screen has $1}"
 }
-# waits FILE: until it has something in it, five seconds at most.
+# waits FILE: until it has something in it, thirty seconds at most.
 waits() {
 	tries=0
-	until [ -s "$1" ] || [ $tries -ge 150 ]; do
+	until [ -s "$1" ] || [ $tries -ge 1000 ]; do
 		sleep 0.03
 		tries=$((tries + 1))
 	done

@@ -25,7 +25,7 @@ cp "$TIPSPEED" clone/build/tipspeed
 escape=$(printf '\033')
 
 if command -v expect >/dev/null; then
-	LC_ALL=C.UTF-8 timeout -k 2 60 expect "$srcdir/tests/repl.exp" >points 2>log
+	LC_ALL=C.UTF-8 timeout -k 2 300 expect "$srcdir/tests/repl.exp" >points 2>log
 	result $? "the session with expect ends"
 	remark log
 	while read -r line; do
@@ -100,11 +100,11 @@ done
 kill -s USR1 $pid
 tries=0
 until grep -q '^tierp: generation [0-9]* of 1000000, best' log ||
-	[ $tries -ge 50 ]; do
+	[ $tries -ge 300 ]; do
 	sleep 0.1
 	tries=$((tries + 1))
 done
-[ $tries -lt 50 ]
+[ $tries -lt 300 ]
 result $? "SIGUSR1 gets a line in a script, too"
 kill -s TERM $pid
 wait $pid

@@ -23,11 +23,11 @@ generation() {
 further() {
 	tries=0
 	until shot; [ "$(generation screen)" -gt "$(generation shot)" ] ||
-		[ $tries -ge 50 ]; do
+		[ $tries -ge 300 ]; do
 		sleep 0.1
 		tries=$((tries + 1))
 	done 2>/dev/null
-	[ $tries -lt 50 ]
+	[ $tries -lt 300 ]
 	result $? "$1"
 }
 
@@ -35,7 +35,7 @@ further() {
 cursor() {
 	tries=0
 	until at=$(mux display-message -t one -p '#{cursor_x},#{cursor_y}')
-		[ "$at" = "$1" ] || [ $tries -ge 30 ]; do
+		[ "$at" = "$1" ] || [ $tries -ge 300 ]; do
 		sleep 0.1
 		tries=$((tries + 1))
 	done
@@ -78,7 +78,7 @@ for size in '100 30' '40 12' '20 5'; do
 	mux resize-window -t one -x "$1" -y "$2"
 	tries=0
 	until shot; [ "$(wc -l <screen)" -eq "$2" ] && grep -q '\[74\.0\]' screen ||
-		[ $tries -ge 30 ]; do
+		[ $tries -ge 300 ]; do
 		sleep 0.1
 		tries=$((tries + 1))
 	done
@@ -184,7 +184,7 @@ want ': redo'
 keys w 'kept.tip' Enter
 want ': save kept.tip'
 tries=0
-until [ -s kept.tip ] || [ $tries -ge 30 ]; do sleep 0.1; tries=$((tries + 1)); done
+until [ -s kept.tip ] || [ $tries -ge 300 ]; do sleep 0.1; tries=$((tries + 1)); done
 "$TIPSPEED" -f kept.tip -c 'save again.tip' >replay 2>log
 cmp kept.tip again.tip >>log && grep -q '^bounds e0_min 0..12$' kept.tip
 good=$?

@@ -34,7 +34,7 @@
 
 /* Seconds of its own processor time that a program may take to end, and of the
  * clock where others have the machine. */
-enum { LIMIT = 2, LIMIT_CLOCK = 30 };
+enum { LIMIT = 10, LIMIT_CLOCK = 60 };
 
 /* What a sanitizer ends with, as the driver tells it to. */
 enum { REPORTED = 99 };

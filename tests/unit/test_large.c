@@ -32,7 +32,7 @@ read_large(struct error_list *errors, size_t at)
 	*errors = (struct error_list){.stop = stop};
 	asked = 0;
 	stop_at = at;
-	alarm(60);
+	alarm(300);
 	struct site *site = site_read(PATH, errors);
 	alarm(0);
 	return site;
