@@ -33,9 +33,9 @@ own() {
 # Kills.  Every file is opened with PRAGMA integrity_check, so that a store that
 # lists its materials is whole.  A new store every ten rounds, so that its making
 # is hit too; each round's script is longer than it lives.  The delays are in
-# units of the time that it takes to remember three here and now, 60 ms at most.
+# units of the time that it takes to remember three here and now, a second at most.
 remembers t 3 >three.tip
-unit=60000000
+unit=1000000000
 for try in 1 2 3; do
 	from=$(date +%s%N)
 	"$TIPSPEED" --store=t$try.db -f three.tip >/dev/null 2>&1
