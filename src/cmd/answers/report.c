@@ -460,10 +460,14 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct report_request ask = {.q = q};
+	const char *file = args->n_operand == 1 ? args->operand[0] : "";
+	bool named =
+	    text_ends_with(file, ".html") || text_ends_with(file, ".pdf");
 	if (s->document == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "report: expected a file for it, .html or .pdf\n"
-		    "write: report > report.html");
+		    "write: report > %s",
+		    named ? file : "report.html");
 	question_use_last_speed_and_feed(s, args, q);
 	bool ok = parse_report_request(s, args, &ask, error);
 	if (ok) {

@@ -133,10 +133,8 @@ parse_condition_limit(const char *text, const struct quantity *q, double *limit,
 	return ok;
 }
 
-/* Returns the text between the two ends of a range, and its length; NULL if
- * there is only one number, which may begin with a minus sign. */
-static const char *
-find_range_sign(const char *text, size_t *length)
+const char *
+conditions_find_range_sign(const char *text, size_t *length)
 {
 	static const char *const SIGNS[] = {
 	    "..", " to ", " and ", "\xE2\x80\x93", "-"};
@@ -156,7 +154,7 @@ parse_range_or_number(
     const char *text, struct condition *c, struct error *error)
 {
 	size_t length;
-	const char *sign = find_range_sign(text, &length);
+	const char *sign = conditions_find_range_sign(text, &length);
 	if (sign == NULL) {
 		bool ok =
 		    parse_condition_limit(text, &c->quantity, &c->least, error);

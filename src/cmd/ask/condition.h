@@ -157,6 +157,11 @@ void conditions_note_unsearched_speeds(struct answer *r,
 void conditions_note_no_reliable_speed(struct answer *r,
     const struct conditions_search *wanted, bool slower, bool faster);
 
+/* Returns the sign between the two ends of a range, as in "40..50", "40 to 50"
+ * and "40-50", and its length; NULL if there is only one number, which may
+ * begin with a minus sign. */
+const char *conditions_find_range_sign(const char *text, size_t *length);
+
 /* Returns "92 %", but "over 99 %" and "under 1 %" at the ends, because a number
  * of draws never proves certainty.  The caller frees it. */
 char *conditions_probability_text(double share);

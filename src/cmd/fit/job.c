@@ -906,10 +906,6 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	    .detail = args->detail,
 	    .watch = args->watch,
 	    .pause_at = (size_t)args->pause};
-	if (all && strcmp(args->operand[0], "all") != 0)
-		return error_set(error, ERROR_USAGE,
-		    "calibrate: expected options or all, got '%s'",
-		    args->operand[0]);
 	if (!fit_check_settings_allow_model(
 		&s->set.model, s->set.model.breakage, error) ||
 	    !part_from_args(args, all, &part, error) ||

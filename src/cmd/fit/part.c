@@ -8,7 +8,9 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/lang/parse.h"
 #include "config.h"
 #include "core/psd/site.h"
 
@@ -87,13 +89,24 @@ bool
 part_from_args(
     const struct args *args, bool all, struct part *part, struct error *error)
 {
+	const char *name = args->command->name;
+	const char *word = all ? args->operand[0] : "all";
+	bool train = value_is_speed(word) &&
+		     command_option_index(args->command, "train") < OPTIONS;
+	if (strcmp(word, "all") != 0)
+		return error_set(error, ERROR_USAGE,
+		    train ? N_("%s: expected options or all, got '%s'\n"
+			       "write: %s train=%s")
+			  : N_("%s: expected options or all, got '%s'\n"
+			       "write: %s, or %s all"),
+		    name, word, name, train ? word : name);
 	if (all)
 		return parse_part_or_environment(args->part, part, error);
 	return args->part == NULL ||
 	       error_set(error, ERROR_USAGE,
 		   "part: expected '%s all', which part= divides\nwrite: %s "
 		   "all part=%s",
-		   args->command->name, args->command->name, args->part);
+		   name, name, args->part);
 }
 
 bool

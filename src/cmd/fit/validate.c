@@ -364,17 +364,14 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	enum { HOLDOUT_UNTRAINED, HOLDOUT_EACH };
 	struct part part = {0};
 	bool all = args->n_operand > 0, each = args->holdout == HOLDOUT_EACH;
-	if (all && strcmp(args->operand[0], "all") != 0)
-		return error_set(error, ERROR_USAGE,
-		    "validate: expected options or all, got '%s'",
-		    args->operand[0]);
+	if (!part_from_args(args, all, &part, error))
+		return false;
 	if (all && args->by_sieve)
 		return error_set(error, ERROR_USAGE,
 		    "validate all: expected no sieves=on; it sums up over the "
 		    "sites");
-	if (!part_from_args(args, all, &part, error) ||
-	    (each && !fit_check_settings_allow_model(
-			 &s->set.model, s->set.model.breakage, error)))
+	if (each && !fit_check_settings_allow_model(
+			&s->set.model, s->set.model.breakage, error))
 		return false;
 	struct validating *c = xcalloc(1, sizeof *c);
 	*c = (struct validating){.all = all,

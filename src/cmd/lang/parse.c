@@ -394,13 +394,17 @@ hint_decimal_format(
 		bool right = text_parse_number(copy, &low);
 		error_set_hint(
 		    error, "use a decimal point: %s", right ? copy : "11.2");
-	} else if (dash != NULL && option->kind == VALUE_NUMBERS) {
+	} else if (dash != NULL) {
 		*dash = '\0';
-		if (text_parse_number(copy, &low) &&
-		    text_parse_number(dash + 1, &high))
+		bool range = text_parse_number(copy, &low) &&
+			     text_parse_number(dash + 1, &high);
+		if (range && option->kind == VALUE_NUMBERS)
 			error_set_hint(error,
 			    "write a range with two points: %s..%s", copy,
 			    dash + 1);
+		else if (range && strcmp(option->unit, "m/s") == 0)
+			error_set_hint(error,
+			    "for several speeds: sweep %s..%s", copy, dash + 1);
 	}
 	return false;
 }
@@ -471,8 +475,9 @@ parse_range_of_speeds(const struct command_option *option, char *word,
 	double steps = floor((to - from) / step + 1e-9);
 	if (steps < 0)
 		return error_set(error, ERROR_USAGE,
-		    "%s: expected a range from low to high, got %g to %g",
-		    option->name, from, to);
+		    "%s: expected a range from low to high, got %g to %g\n"
+		    "write %g..%g",
+		    option->name, from, to, to, from);
 	if (steps >= NUMBERS_MOST)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected a range of at most %d steps, got %.0f\n"

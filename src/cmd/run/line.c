@@ -17,6 +17,7 @@
 #include "cmd/ask/blended.h"
 #include "cmd/ask/moved.h"
 #include "cmd/ask/pin.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/ask/condition_words.h"
 #include "cmd/ask/question.h"
 #include "cmd/run/speeds.h"
@@ -109,6 +110,9 @@ parse_call_of_script(struct session *s, struct words *words, struct place place,
 {
 	const struct command *command =
 	    parse_command_words(words, place, args, error);
+	if (words->command == NULL &&
+	    quantities_is_beginning_of_text(words->text[0]))
+		error_set_hint(error, "write: predict %s", words->typed);
 	FREED char *folder = script_other_folder(s, place.file);
 	if (command == NULL || folder == NULL ||
 	    !call_paths_find_in_folder(s, args, words, folder))

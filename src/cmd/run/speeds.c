@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/ask/condition.h"
 #include "core/psd/rotor_speed.h"
 #include "core/psd/site.h"
 
@@ -349,18 +350,33 @@ is_two_speeds(
 	return takes_list && usual;
 }
 
-/* Turns "68 to 78" after the command's name into "68..78". */
+/* Turns "68 to 78" and "68-78" after the command's name into "68..78", but
+ * leaves "66,68-78", which may be two or three speeds. */
 static void
 join_words_to_speed_range(struct words *words)
 {
-	bool list;
-	if (words->n < 4 || !text_is_same_folded(words->text[2], "to") ||
-	    !is_speed_or_range_or_list(words->text[1], &list) || list ||
-	    !is_speed_or_range_or_list(words->text[3], &list))
-		return;
-	FREED char *from = format_speed_as_list_item(words->text[1], false);
-	FREED char *range = xasprintf("%s..%s", from, words->text[3]);
-	words_replace_by_one(words, 1, 3, range);
+	for (size_t n = 1; n <= 3 && n < words->n; n += 2) {
+		FREED char *typed = n == 1
+					? xstrdup(words->text[1])
+					: xasprintf("%s %s %s", words->text[1],
+					      words->text[2], words->text[3]);
+		size_t length;
+		const char *sign = conditions_find_range_sign(typed, &length);
+		if (sign == NULL || *sign == '.' ||
+		    (n == 1 && strchr(typed, ',') != NULL))
+			continue;
+		const char *to = sign + length + strspn(sign + length, " ");
+		while (sign > typed && sign[-1] == ' ')
+			sign--;
+		FREED char *low = xstrndup(typed, (size_t)(sign - typed));
+		bool list;
+		if (!is_speed_or_range_or_list(low, &list) || list ||
+		    !is_speed_or_range_or_list(to, &list))
+			continue;
+		FREED char *from = format_speed_as_list_item(low, false);
+		FREED char *range = xasprintf("%s..%s", from, to);
+		words_replace_by_one(words, 1, n, range);
+	}
 }
 
 void

@@ -15,9 +15,9 @@ bool speeds_convert_from_rpm(struct session *s, struct words *words,
     struct place place, struct error *error);
 
 /* Turns several speeds after the name of a command into "speeds=69,74,79":
- * "predict 69 74 79", "card 70 75", "card 68 to 78".  Only if the command, or
- * one that may be meant instead, has the option speeds=.  Notes that "69,74"
- * was read as a single speed. */
+ * "predict 69 74 79", "card 70 75", "card 68 to 78", "card 68-78".  Only if the
+ * command, or one that may be meant instead, has the option speeds=.  Notes
+ * that "69,74" was read as a single speed. */
 void speeds_join_words_to_list(struct session *s, struct words *words);
 
 #endif
