@@ -176,16 +176,6 @@ parse_range_or_number(
 	    least, most, most, least);
 }
 
-/* True if `at` is a comma that stands for a decimal point.  A comma before a
- * fraction, as in "p80=6,0/2>=30", separates conditions. */
-static bool
-is_decimal_comma(const char *text, const char *at)
-{
-	size_t n = *at == ',' ? strspn(at + 1, DIGITS) : 0;
-	return n > 0 && at > text && strchr(DIGITS, at[-1]) != NULL &&
-	       at[1 + n] != '/';
-}
-
 static bool
 error_decimal_comma(const char *text, const char *comma, struct error *error)
 {
@@ -347,7 +337,7 @@ conditions_parse_one(const char *text, const struct fraction *fraction,
 	FREED char *with = replace_limit_words_by_sign(text);
 	bool ok = true;
 	for (char *at = with; ok && *at != '\0'; at++) {
-		if (!is_decimal_comma(with, at))
+		if (!text_is_comma_in_number(with, at))
 			continue;
 		ok = text_is_decimal_comma(with, at) ||
 		     error_decimal_comma(with, at, error);
@@ -375,22 +365,13 @@ conditions_is_likely_complete(const char *text)
 	return name != NULL;
 }
 
-size_t
-conditions_first_text_length(const char *list)
-{
-	size_t n = strcspn(list, ",;");
-	while (is_decimal_comma(list, list + n))
-		n += 1 + strcspn(list + n + 1, ",;");
-	return n;
-}
-
 bool
 conditions_parse_list(const char *text, const struct fraction *fraction,
     struct condition_list *list, struct error *error)
 {
 	for (const char *at = text; *at != '\0';) {
 		struct condition c;
-		size_t length = conditions_first_text_length(at);
+		size_t length = text_length_of_list_item(at);
 		FREED char *copy = xstrndup(at, length);
 		bool ok =
 		    conditions_parse_one(text_trim(copy), fraction, &c, error);

@@ -126,7 +126,7 @@ goals_parse(struct session *s, const char *text, const struct psd *feed,
 	if (file && !add_limits_of_named_envelope(s, text, feed, list, error))
 		return false;
 	for (const char *at = text; *at != '\0' && !file;) {
-		size_t length = conditions_first_text_length(at);
+		size_t length = text_length_of_list_item(at);
 		char *copy = xstrndup(at, length), *word = text_trim(copy);
 		bool ok = word[0] == '\0' || parse_condition_or_envelope(
 						 s, word, feed, list, error);

@@ -73,18 +73,6 @@ call_path_in_word(const struct args *args, const char *word,
 	return path ? value : NULL;
 }
 
-/* Returns the length of the first part of a goal: a condition, in which a comma
- * between digits is a decimal comma, or an envelope. */
-static size_t
-length_of_goal_part(const char *goal)
-{
-	size_t n = strcspn(goal, ",;");
-	while (n > 0 && goal[n] == ',' && isdigit((unsigned char)goal[n - 1]) &&
-	       isdigit((unsigned char)goal[n + 1]))
-		n += 1 + strcspn(goal + n + 1, ",;");
-	return n;
-}
-
 /* As call_paths_map, with the files of envelopes in a goal, which may be the
  * name of one file. */
 static char *
@@ -97,7 +85,7 @@ map_paths_of_goal(const char *goal,
 	free(file);
 	char *whole = xstrdup("");
 	for (const char *at = goal; *at != '\0';) {
-		size_t n = length_of_goal_part(at);
+		size_t n = text_length_of_list_item(at);
 		FREED char *copy = xstrndup(at, n);
 		const char *part = text_trim(copy);
 		FREED char *path = map(part, of);
