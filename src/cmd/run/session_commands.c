@@ -99,10 +99,9 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 		return autosave_show_sessions(s);
 	const char *typed = args->operand[0];
 	bool last = strcmp(typed, "last") == 0;
-	FREED char *path = last ? autosave_newest_path(s, error)
-			   : access(typed, F_OK) == 0
-			       ? xstrdup(typed)
-			       : add_script_ending(typed);
+	FREED char *path = last                 ? autosave_newest_path(s, error)
+			   : file_exists(typed) ? xstrdup(typed)
+						: add_script_ending(typed);
 	if (!last)
 		s->invocation->saved = true;
 	bool ok = path != NULL && restore_session_from_script(s, path, error);

@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
 #include "io/formats/standards.h"
+#include "io/fs/file.h"
 
 /* Returns the index of the option whose value is the word or the text after its
  * "=", or OPTIONS. */
@@ -80,7 +81,7 @@ map_paths_of_goal(const char *goal,
     char *(*map)(const char *path, const void *of), const void *of)
 {
 	char *file = map(goal, of);
-	if (access(goal, F_OK) == 0 || access(file, F_OK) == 0)
+	if (file_exists(goal) || file_exists(file))
 		return file;
 	free(file);
 	char *whole = xstrdup("");
@@ -92,7 +93,7 @@ map_paths_of_goal(const char *goal,
 		bool condition =
 		    n < strlen(goal) && strpbrk(part, "<>=%") != NULL;
 		if (!condition &&
-		    (standards_is_file_path(part) || access(path, F_OK) == 0))
+		    (standards_is_file_path(part) || file_exists(path)))
 			xappend(&whole, "%s", path);
 		else
 			xappend(&whole, "%.*s", (int)n, at);

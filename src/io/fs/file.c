@@ -34,6 +34,13 @@ report_cannot_write(const char *path, int reason, struct error *error)
 	    path, strerror(reason));
 }
 
+bool
+file_exists(const char *path)
+{
+	struct stat about;
+	return stat(path, &about) == 0 && !S_ISDIR(about.st_mode);
+}
+
 char *
 file_real_folder(const char *path)
 {

@@ -35,6 +35,9 @@ bool file_replace_using_writer(const char *path, enum file_rights rights,
 bool file_append_bytes(const char *path, enum file_rights rights,
     const char *bytes, size_t n, struct error *error);
 
+/* True if there is a file at the path, and not a folder. */
+bool file_exists(const char *path);
+
 /* Returns the part of a path after its folders; borrowed. */
 const char *file_name_without_folders(const char *path);
 
