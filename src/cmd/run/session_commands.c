@@ -268,9 +268,10 @@ may_overwrite_script(const struct session *s, const struct args *args,
 	bool saved;
 	const char *holder = files_session_script_path(s, &saved);
 	bool again = holder != NULL && strcmp(holder, path) == 0;
-	if (again && (saved || args->replace))
-		return file_check_writable(path, error);
-	return files_may_overwrite(s, args, path, error);
+	if (!again)
+		return files_may_overwrite(s, args, path, error);
+	return file_check_writable(path, error) &&
+	       (saved || files_check_replace(args, path, error));
 }
 
 static bool

@@ -305,8 +305,6 @@ file_replace_using_writer(const char *path, enum file_rights rights,
 {
 	FREED char *text = NULL;
 	size_t n = 0;
-	if (!file_check_no_workbook(path, error))
-		return false;
 	FILE *memory = text_open_memory(&text, &n);
 	write(data, memory);
 	return fclose(memory) == 0

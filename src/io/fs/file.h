@@ -24,7 +24,7 @@ bool file_replace_contents(const char *path, enum file_rights rights,
     const char *bytes, size_t n, struct error *error);
 
 /* As file_replace_contents, with the text that `write` prints, which is
- * collected in memory first; also false if file_check_no_workbook is. */
+ * collected in memory first. */
 bool file_replace_using_writer(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
