@@ -77,6 +77,25 @@ for seconds in $waits; do
 	result $? "250 sieves, after $seconds s: INT is answered in time"
 done
 
+# Many speeds are stopped between two of them, and nothing is shown of them.
+printf '%s\n' 'load data/sites/tierp.csv' 'calibrate > /dev/null' \
+	'predict 72 > /dev/null' >draws.tip
+for line in 'sweep 20..99:0.04' 'card 20..99:0.04'; do
+	rm -f drawn
+	env --default-signal=INT "$TIPSPEED" --store=:memory: -f draws.tip \
+		-c 'echo 1 > drawn' -c "$line" >out 2>log &
+	pid=$!
+	while [ ! -s drawn ] && kill -0 $pid; do sleep 0.1; done
+	from=$(date +%s%N)
+	kill -s INT $pid
+	wait $pid
+	status=$?
+	took=$((($(date +%s%N) - from) / 1000000))
+	echo "# $took ms"
+	[ $status -eq 130 ] && [ $took -lt 1000 ] && [ ! -s out ]
+	result $? "$line: INT is answered in time"
+done
+
 # Reading is stopped as soon: a sheet of 1,900 sieves and 200 runs, again and again.
 wide_sheet >wide.csv
 for signal in INT TERM; do

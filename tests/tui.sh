@@ -123,6 +123,16 @@ want 'data: reconstructed'
 ! grep -q '\[0' screen
 result $? "without escapes, on a terminal with colours"
 keys q
+keys : 'help trust' Enter
+want '[a-z] .*back'
+longest=$(head -n 21 screen | sed 's/ *$//' | awk '{ print length }' | sort -n | tail -n 1)
+mux resize-window -t one -x 50 -y 24
+want '^Tierp.*\] 2 3 4 5'
+! grep -q 'more right' screen && [ "$longest" -gt 70 ]
+result $? "a text gets other lines on a narrower terminal"
+mux resize-window -t one -x 80 -y 24
+want '^Tierp.*2 Fit'
+keys q
 keys : 'predict 99999' Enter
 want '^! ' "an error is told"
 keys '?'

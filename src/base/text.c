@@ -13,6 +13,8 @@
 
 #include "base/xalloc.h"
 
+static const char DIGITS[] = "0123456789";
+
 /* The functions of <ctype.h> depend on the locale: in Latin-1, a byte of UTF-8
  * may be a letter. */
 static bool
@@ -66,6 +68,24 @@ text_is_decimal_comma(const char *s, const char *at)
 	bool thousands = end - at - 1 == THOUSANDS && *from != '0';
 	return *at == ',' && from < at && end > at + 1 && !more && !before &&
 	       !thousands;
+}
+
+bool
+text_is_comma_in_number(const char *list, const char *at)
+{
+	size_t n = *at == ',' ? strspn(at + 1, DIGITS) : 0;
+	bool first = strspn(list, DIGITS) == (size_t)(at - list);
+	return n > 0 && at > list && is_digit(at[-1]) &&
+	       (at[1 + n] != '/' || first);
+}
+
+size_t
+text_length_of_list_item(const char *list)
+{
+	size_t n = strcspn(list, ",;");
+	while (text_is_comma_in_number(list, list + n))
+		n += 1 + strcspn(list + n + 1, ",;");
+	return n;
 }
 
 bool

@@ -42,6 +42,7 @@ struct numbers {
 struct viewer {
 	char *text, **line;
 	int top, lines, left, columns;
+	int screen;        /* the width that the lines were made for */
 	bool keys, report; /* report: the result of a long job */
 	int at;
 	struct edit word;

@@ -739,6 +739,7 @@ build_card_answer(
 	for (size_t i = 0; i < n; i++) {
 		row[i] = (struct card_row){.speed = speed[i], .share = NAN};
 		put_card_row(&page, s, all, &row[i], &light);
+		n = session_is_interrupted(s) ? i + 1 : n;
 	}
 	fields_put_values(answer_json_fields(r), "date %s machine %s model %s",
 	    today, entry->site->machine,

@@ -746,7 +746,11 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
 		FREED char *speeds =
 		    conditions_met_speeds_text_with_units(&g->conditions, w);
 		if (all)
-			answer_note(r, "meets the envelope at %s", speeds);
+			answer_note(r,
+			    g->n_sieve < g->spec->n
+				? N_("meets the limits that were checked at %s")
+				: N_("meets the envelope at %s"),
+			    speeds);
 		return;
 	}
 	FREED char *range = rotor_speed_rpm_text(
@@ -789,10 +793,11 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	conditions_note_basis_and_trust(r, goal->question, &g.conditions, w, v);
 	session_set_last_question(s, v, NULL);
 	s->last_asked.found_by = "find";
+	fields_put_values(answer_json_fields(r), "wanted %s from %g to %g",
+	    "spec", goal->wanted.from, goal->wanted.to);
+	envelope_put_inside(r, &g, in != NULL);
 	fields_put_values(answer_json_fields(r),
-	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
-	    "speed %g best %g",
-	    "spec", goal->wanted.from, goal->wanted.to, in != NULL,
+	    "slowest %g fastest %g speed %g best %g",
 	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v, w->best);
 	envelope_put_worst_sieve(answer_json_fields(r), &g);
 	envelope_put_fields(r, &g);

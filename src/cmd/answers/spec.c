@@ -227,11 +227,7 @@ compare_product_with_envelope(struct session *s, const struct args *args,
 	answers_note_basis_and_trust_at_speed(s, r, q, v, false);
 	fields_put_values(answer_json_fields(r), "speed %g extrapolated %d", v,
 	    answers_is_speed_extrapolated(entry, v));
-	bool met = conditions_are_met(&g.conditions, SIZE_MAX);
-	if (met && g.n_sieve < spec->n) /* some limits were not checked */
-		fields_put_values(answer_json_fields(r), "inside %g", NAN);
-	else
-		fields_put_values(answer_json_fields(r), "inside %d", met);
+	envelope_put_inside(r, &g, conditions_are_met(&g.conditions, SIZE_MAX));
 	envelope_put_fields(r, &g);
 	session_show_answer(s, r);
 	envelope_close(&g);

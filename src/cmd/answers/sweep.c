@@ -167,6 +167,7 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 		p[i] = forecast_product(s, q, q->at[i]);
 		outside =
 		    outside || answers_is_speed_extrapolated(entry, q->at[i]);
+		n = session_is_interrupted(s) ? i + 1 : n;
 	}
 	if (ok)
 		session_show_answer(s, build_sweep_answer(s, q, p, n, outside));

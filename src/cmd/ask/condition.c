@@ -174,16 +174,6 @@ parse_range_or_number(
 	    least, most, most, least);
 }
 
-/* True if `at` is a comma that stands for a decimal point.  A comma before a
- * fraction, as in "p80=6,0/2>=30", separates conditions. */
-static bool
-is_decimal_comma(const char *text, const char *at)
-{
-	size_t n = *at == ',' ? strspn(at + 1, DIGITS) : 0;
-	return n > 0 && at > text && strchr(DIGITS, at[-1]) != NULL &&
-	       at[1 + n] != '/';
-}
-
 static bool
 error_decimal_comma(const char *text, const char *comma, struct error *error)
 {
@@ -202,16 +192,28 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 static const struct {
 	const char *words;
 	char sign;
-} LIMIT_WORDS[] = {{" between ", '='}, {" at least ", '>'}, {" at most ", '<'}};
+} LIMIT_WORDS[] = {{" between ", '='}, {" at least ", '>'}, {" at most ", '<'},
+    {" more than ", '>'}, {" less than ", '<'}, {" min ", '>'}, {" max ", '<'}};
+
+/* Returns the length of the word before a size for what passes it, as in "under
+ * 2 mm", or 0. */
+static size_t
+length_of_passing_word(const char *text)
+{
+	static const char *const WORDS[] = {
+	    "passing ", "passes ", "under ", "below ", "finer than ", "<"};
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
+		if (strncasecmp(text, WORDS[i], strlen(WORDS[i])) == 0)
+			return strlen(WORDS[i]);
+	return 0;
+}
 
 /* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passing
- * 2 mm = 58", and "at most 30 % under 2 mm" into "passing 2 mm < 30".  Returns
- * NULL for other texts.  The caller frees it. */
+ * 2 mm = 58 %", and "at most 6 % fines" into "fines < 6 %".  Returns NULL for
+ * other texts.  The caller frees it. */
 static char *
 rewrite_value_first_condition(const char *text)
 {
-	static const char *const VERBS[] = {
-	    "passing ", "passes ", "under ", "below ", "finer than ", "% <"};
 	char sign = '=';
 	for (size_t i = 0; i < ARRAY_LEN(LIMIT_WORDS) && sign == '='; i++) {
 		const char *words = LIMIT_WORDS[i].words + 1;
@@ -220,28 +222,31 @@ rewrite_value_first_condition(const char *text)
 		sign = LIMIT_WORDS[i].sign;
 		text += strlen(words);
 	}
-	size_t n = strspn(text, "0123456789.,");
-	const char *rest = text + n + strspn(text + n, " ");
-	for (size_t i = 0; n > 0 && i < ARRAY_LEN(VERBS); i++) {
-		const char *verb =
-		    rest + (VERBS[i][0] == '%' ? 0 : strspn(rest, " %"));
-		size_t length = strlen(VERBS[i]);
-		if (strncasecmp(verb, VERBS[i], length) == 0 &&
-		    strpbrk(verb + length, "<>=") == NULL)
-			return xasprintf("passing %s %c %.*s", verb + length,
-			    sign, (int)n, text);
-	}
-	return NULL;
+	int n = (int)strspn(text, "0123456789.,");
+	const char *of = text + n + strspn(text + n, " %");
+	bool percent = strchr(text, '%') != NULL;
+	size_t word = length_of_passing_word(of);
+	struct quantity q;
+	struct error none = {0};
+	if (n == 0 || strpbrk(of + word, "<>=") != NULL)
+		return NULL;
+	if (word > 0 && (percent || *of != '<'))
+		return xasprintf(
+		    "passing %s %c %.*s %%", of + word, sign, n, text);
+	return percent && quantities_parse_one(of, &PARTITION_IDEAL, &q, &none)
+		   ? xasprintf("%s %c %.*s %%", of, sign, n, text)
+		   : NULL;
 }
 
-/* Turns "<2 mm = 30", as the screen puts it, and "2 mm > 30" into a condition
- * of "passing 2 mm".  Returns NULL for other texts.  The caller frees it. */
+/* Turns "<2 mm = 30", as the screen puts it, "under 2 mm < 30" and "2 mm > 30"
+ * into a condition of "passing 2 mm".  Returns NULL for other texts.  The
+ * caller frees it. */
 static char *
 name_passing_of_size(const char *text)
 {
-	const char *size = text + (text[0] == '<');
-	const char *unit = size + strspn(size, SIZE);
-	bool named = unit > size && strncmp(unit, "mm", 2) == 0 &&
+	size_t word = length_of_passing_word(text);
+	const char *size = text + word, *unit = size + strspn(size, SIZE);
+	bool named = unit > size && (word > 0 || strncmp(unit, "mm", 2) == 0) &&
 		     strpbrk(unit, "<>=") != NULL;
 	return named ? xasprintf("passing %s", size) : NULL;
 }
@@ -345,7 +350,7 @@ conditions_parse_one(const char *text, const struct fraction *fraction,
 	FREED char *with = replace_limit_words_by_sign(text);
 	bool ok = true;
 	for (char *at = with; ok && *at != '\0'; at++) {
-		if (!is_decimal_comma(with, at))
+		if (!text_is_comma_in_number(with, at))
 			continue;
 		ok = text_is_decimal_comma(with, at) ||
 		     error_decimal_comma(with, at, error);
@@ -373,22 +378,13 @@ conditions_is_likely_complete(const char *text)
 	return name != NULL;
 }
 
-size_t
-conditions_first_text_length(const char *list)
-{
-	size_t n = strcspn(list, ",;");
-	while (is_decimal_comma(list, list + n))
-		n += 1 + strcspn(list + n + 1, ",;");
-	return n;
-}
-
 bool
 conditions_parse_list(const char *text, const struct fraction *fraction,
     struct condition_list *list, struct error *error)
 {
 	for (const char *at = text; *at != '\0';) {
 		struct condition c;
-		size_t length = conditions_first_text_length(at);
+		size_t length = text_length_of_list_item(at);
 		FREED char *copy = xstrndup(at, length);
 		bool ok =
 		    conditions_parse_one(text_trim(copy), fraction, &c, error);

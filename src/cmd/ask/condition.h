@@ -27,10 +27,6 @@ bool conditions_is_likely_complete(const char *text);
 bool conditions_set_error_place(
     const struct args *args, size_t i, struct error *error);
 
-/* Returns the length of the first condition in a list.  A comma separates
- * conditions unless it is inside a number. */
-size_t conditions_first_text_length(const char *list);
-
 /* Parses conditions separated by commas and appends them to the list. */
 bool conditions_parse_list(const char *text, const struct fraction *fraction,
     struct condition_list *list, struct error *error);

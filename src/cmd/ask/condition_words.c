@@ -41,8 +41,11 @@ does_word_continue_condition(
     const struct command *command, const char *before, const char *word)
 {
 	FREED char *with = xasprintf("%s ", word);
+	size_t which;
 	bool most, begins = quantities_is_beginning_of_text(word) ||
-			    conditions_parse_max_or_min(with, &most) != NULL;
+			    conditions_parse_max_or_min(with, &most) != NULL ||
+			    text_find_word_in_list(
+				"at under below finer", word, &which);
 	return !is_option_word(command, word) && strchr(word, ' ') == NULL &&
 	       !(begins && conditions_is_likely_complete(before));
 }
@@ -65,6 +68,18 @@ find_first_condition_word(const struct words *words)
 		   : 0;
 }
 
+/* Removes the comma at the end of a condition, as in "passing 2 > 30, fines <
+ * 5".  Returns false if there is none. */
+static bool
+drop_comma_at_end(char *text)
+{
+	size_t n = strlen(text);
+	bool comma = n > 1 && text[n - 1] == ',';
+	if (comma)
+		text[n - 1] = '\0';
+	return comma;
+}
+
 /* Joins the words that continue the condition at word i, unless that was
  * quoted.  In `set goal`, all conditions become one word, separated by commas,
  * and each of them may have been quoted. */
@@ -75,12 +90,12 @@ join_words_of_condition(struct words *words, size_t i)
 	FREED char *joined = xstrdup(words->text[i]);
 	size_t begin = 0, n = 1;
 	bool set = (command->flags & COMMAND_SETTINGS) != 0;
-	if ((strchr(joined, ' ') != NULL && !set) ||
-	    is_option_word(command, joined))
-		return;
+	bool alone = (strchr(joined, ' ') != NULL && !set) ||
+		     is_option_word(command, joined);
 	for (; i + n < words->n; n++) {
 		const char *word = words->text[i + n];
 		bool on =
+		    !drop_comma_at_end(joined) && !alone &&
 		    does_word_continue_condition(command, joined + begin, word);
 		if (!on && (!set || is_option_word(command, word)))
 			break;
@@ -146,25 +161,12 @@ join_quantities_to_option(struct words *words)
 	words_replace_by_one(words, first, i - first, list);
 }
 
-/* Removes the comma after a condition, as in "passing 2 > 30, fines < 5", where
- * the space separates them already. */
-static void
-drop_comma_at_end(char *word)
-{
-	size_t n = strlen(word);
-	if (n > 1 && word[n - 1] == ',' && strchr(word, ' ') == NULL)
-		word[n - 1] = '\0';
-}
-
 void
 conditions_join_words(struct words *words)
 {
 	size_t from = find_first_condition_word(words);
-	for (size_t i = from; i > 0 && i < words->n; i++) {
-		if (i + 1 < words->n)
-			drop_comma_at_end(words->text[i]);
+	for (size_t i = from; i > 0 && i < words->n; i++)
 		separate_quantity_from_value(words, i);
-	}
 	if (words->command != NULL &&
 	    (from == 0 || !has_limit_among_words(words)))
 		join_quantities_to_option(words);

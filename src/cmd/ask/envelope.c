@@ -354,6 +354,16 @@ envelope_missed_limits_text(const struct grading *g)
 }
 
 void
+envelope_put_inside(struct answer *r, const struct grading *g, bool met)
+{
+	struct fields *o = answer_json_fields(r);
+	if (met && g->n_sieve < g->spec->n)
+		fields_put_values(o, "inside %g", NAN);
+	else
+		fields_put_values(o, "inside %d", met);
+}
+
+void
 envelope_put_worst_sieve(struct fields *o, const struct grading *g)
 {
 	struct margin worst = margin_of_worst_sieve(g);

@@ -73,6 +73,10 @@ void envelope_add_sieve_rows(
  * The caller frees it. */
 char *envelope_missed_limits_text(const struct grading *grading);
 
+/* Puts inside: whether the product, or that of some speed, meets the envelope;
+ * null if it meets the limits that were checked, but not all were. */
+void envelope_put_inside(struct answer *r, const struct grading *g, bool met);
+
 /* Puts worst_mm, the sieve that is furthest outside at the forecast's speed,
  * and outside_pct, by how much; null and 0 if all are inside. */
 void envelope_put_worst_sieve(struct fields *o, const struct grading *grading);

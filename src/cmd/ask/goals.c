@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -16,6 +15,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/asked.h"
 #include "core/psd/rotor_speed.h"
+#include "io/fs/file.h"
 
 /* Speeds searched in one step. */
 enum { PART = 6 };
@@ -122,11 +122,11 @@ goals_parse(struct session *s, const char *text, const struct psd *feed,
     struct condition_list *list, size_t *n_value, struct error *error)
 {
 	/* The name of a file may have the signs of conditions in it. */
-	bool file = access(text, F_OK) == 0;
+	bool file = file_exists(text);
 	if (file && !add_limits_of_named_envelope(s, text, feed, list, error))
 		return false;
 	for (const char *at = text; *at != '\0' && !file;) {
-		size_t length = conditions_first_text_length(at);
+		size_t length = text_length_of_list_item(at);
 		char *copy = xstrndup(at, length), *word = text_trim(copy);
 		bool ok = word[0] == '\0' || parse_condition_or_envelope(
 						 s, word, feed, list, error);

@@ -242,8 +242,10 @@ quantities_is_beginning_of_text(const char *text)
 {
 	struct quantity q;
 	struct error error = {0};
-	FREED char *word = xstrndup(text, strcspn(text, " \t<>="));
-	size_t n = strlen(word);
+	size_t item = text_length_of_list_item(text);
+	size_t n = strcspn(text, " \t<>=");
+	n = n < item ? n : item;
+	FREED char *word = xstrndup(text, n);
 	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++) {
 		const char *first = KINDS[i].word;
 		if (first != NULL && strcspn(first, " ") == n &&
@@ -294,7 +296,7 @@ quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
 	*n = 0;
 	for (const char *at = text; ok && *at != '\0';) {
 		struct error none = {0};
-		size_t length = strcspn(at, ",;");
+		size_t length = text_length_of_list_item(at);
 		FREED char *word = xstrndup(at, length);
 		struct quantity *q = &list[*n];
 		ok = quantities_parse_one(word, &cut->partition, q, error) &&

@@ -15,7 +15,8 @@
 bool quantities_parse_one(const char *text, const struct partition *partition,
     struct quantity *q, struct error *error);
 
-/* True if the first word of the text is a quantity or begins one. */
+/* True if the first word of the text, or the first of a list such as "cu,cc",
+ * is a quantity or begins one. */
 bool quantities_is_beginning_of_text(const char *text);
 
 /* Returns completion n for a goal, "p80=" or "passing ": a few of each kind

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -358,7 +357,7 @@ load_energy_file(
 	/* A file at that path comes before a shipped one of that name. */
 	const char *asked = args->operand[1];
 	FREED char *shipped =
-	    access(asked, F_OK) != 0 ? shipped_energies_path(asked) : NULL;
+	    !file_exists(asked) ? shipped_energies_path(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
 	if (energies_load_file(s, path, &way, cut, error) == NULL)
 		return false;
@@ -396,6 +395,7 @@ write_energy_file(
 	const char *path = args->operand[1];
 	if (!check_energy_file_operand(args, error) ||
 	    energies_last_read(s, error) == NULL ||
+	    !file_check_no_workbook(path, error) ||
 	    !files_may_write(s, path, error) ||
 	    !files_confirm_replace(s, path, error) ||
 	    !file_replace_using_writer(

@@ -99,10 +99,9 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 		return autosave_show_sessions(s);
 	const char *typed = args->operand[0];
 	bool last = strcmp(typed, "last") == 0;
-	FREED char *path = last ? autosave_newest_path(s, error)
-			   : access(typed, F_OK) == 0
-			       ? xstrdup(typed)
-			       : add_script_ending(typed);
+	FREED char *path = last                 ? autosave_newest_path(s, error)
+			   : file_exists(typed) ? xstrdup(typed)
+						: add_script_ending(typed);
 	if (!last)
 		s->invocation->saved = true;
 	bool ok = path != NULL && restore_session_from_script(s, path, error);
@@ -269,9 +268,10 @@ may_overwrite_script(const struct session *s, const struct args *args,
 	bool saved;
 	const char *holder = files_session_script_path(s, &saved);
 	bool again = holder != NULL && strcmp(holder, path) == 0;
-	if (again && (saved || args->replace))
-		return file_check_writable(path, error);
-	return files_may_overwrite(s, args, path, error);
+	if (!again)
+		return files_may_overwrite(s, args, path, error);
+	return file_check_writable(path, error) &&
+	       (saved || files_check_replace(args, path, error));
 }
 
 static bool

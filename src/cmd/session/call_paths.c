@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
 #include "io/formats/standards.h"
+#include "io/fs/file.h"
 
 /* Returns the index of the option whose value is the word or the text after its
  * "=", or OPTIONS. */
@@ -73,18 +74,6 @@ call_path_in_word(const struct args *args, const char *word,
 	return path ? value : NULL;
 }
 
-/* Returns the length of the first part of a goal: a condition, in which a comma
- * between digits is a decimal comma, or an envelope. */
-static size_t
-length_of_goal_part(const char *goal)
-{
-	size_t n = strcspn(goal, ",;");
-	while (n > 0 && goal[n] == ',' && isdigit((unsigned char)goal[n - 1]) &&
-	       isdigit((unsigned char)goal[n + 1]))
-		n += 1 + strcspn(goal + n + 1, ",;");
-	return n;
-}
-
 /* As call_paths_map, with the files of envelopes in a goal, which may be the
  * name of one file. */
 static char *
@@ -92,19 +81,19 @@ map_paths_of_goal(const char *goal,
     char *(*map)(const char *path, const void *of), const void *of)
 {
 	char *file = map(goal, of);
-	if (access(goal, F_OK) == 0 || access(file, F_OK) == 0)
+	if (file_exists(goal) || file_exists(file))
 		return file;
 	free(file);
 	char *whole = xstrdup("");
 	for (const char *at = goal; *at != '\0';) {
-		size_t n = length_of_goal_part(at);
+		size_t n = text_length_of_list_item(at);
 		FREED char *copy = xstrndup(at, n);
 		const char *part = text_trim(copy);
 		FREED char *path = map(part, of);
 		bool condition =
 		    n < strlen(goal) && strpbrk(part, "<>=%") != NULL;
 		if (!condition &&
-		    (standards_is_file_path(part) || access(path, F_OK) == 0))
+		    (standards_is_file_path(part) || file_exists(path)))
 			xappend(&whole, "%s", path);
 		else
 			xappend(&whole, "%.*s", (int)n, at);

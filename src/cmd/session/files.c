@@ -203,16 +203,24 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 }
 
 bool
+files_check_replace(
+    const struct args *args, const char *path, struct error *error)
+{
+	struct stat info;
+	return args->replace || stat(path, &info) != 0 ||
+	       error_set(error, ERROR_USAGE,
+		   "%s already exists\n"
+		   "use replace=on to overwrite it",
+		   path);
+}
+
+bool
 files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error)
 {
-	struct stat info;
-	if (args->replace || stat(path, &info) != 0)
-		return files_may_write(s, path, error);
-	return error_set(error, ERROR_USAGE,
-	    "%s already exists\n"
-	    "use replace=on to overwrite it",
-	    path);
+	return file_check_no_workbook(path, error) &&
+	       files_may_write(s, path, error) &&
+	       files_check_replace(args, path, error);
 }
 
 bool

@@ -33,8 +33,12 @@ const char *files_session_script_path(const struct session *s, bool *saved);
 bool files_may_write(
     const struct session *s, const char *path, struct error *error);
 
-/* As files_may_write, but also false, with an error of kind ERROR_USAGE, if the
- * file exists and the call does not say replace=on. */
+/* Returns false, with an error of kind ERROR_USAGE, if the file exists and the
+ * call does not say replace=on. */
+bool files_check_replace(
+    const struct args *args, const char *path, struct error *error);
+
+/* False if file_check_no_workbook, files_may_write or files_check_replace is. */
 bool files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error);
 

@@ -128,8 +128,8 @@ struct origin *
 origin_new_of_fit(const struct entry *entry)
 {
 	const struct site *site = entry->site;
-	struct origin *o = origin_new(
-	    xstrdup(tr("found by calibration")), "", site->provenance);
+	struct origin *o =
+	    origin_new(xstrdup("found by calibration"), "", site->provenance);
 	o->found = true;
 	o->digest = site->digest;
 	o->history = retain_fit_history(entry->history);
@@ -361,7 +361,7 @@ origin_of_params_text(const struct entry *entry)
 		return tr("found by calibration");
 	if (!entry->has_params)
 		return tr("not known yet");
-	return entry->origin->words;
+	return tr(entry->origin->words);
 }
 
 void

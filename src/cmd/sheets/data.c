@@ -195,16 +195,16 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	struct stat info;
-	bool exists = stat(path, &info) == 0;
-	if (!exists || !S_ISDIR(info.st_mode)) {
-		bool ok = files_write_site(
-		    s, args, session_current_site_entry(s)->site, path, error);
-		if (!ok && exists && !args->replace &&
-		    error->kind == ERROR_USAGE)
-			error_set_hint(error,
-			    "use replace=on to overwrite it; write "
-			    "saves a site file, use > FILE for results");
-		return ok;
+	if (stat(path, &info) != 0 || !S_ISDIR(info.st_mode)) {
+		const struct site *site = session_current_site_entry(s)->site;
+		bool name = file_check_no_workbook(path, error),
+		     kept = name && file_exists(path) && !args->replace,
+		     ok = name && files_write_site(s, args, site, path, error);
+		return ok || (kept && error->kind == ERROR_USAGE &&
+				 error_set_hint(error,
+				     "use replace=on to overwrite it; write "
+				     "saves a site file, use > FILE for "
+				     "results"));
 	}
 	for (size_t i = 0; i < s->n_entry; i++) {
 		FREED char *file = csv_path_of_site(&s->entry[i], path);

@@ -105,9 +105,14 @@ write_sieve_template(const struct form *f, const struct args *args)
 bool
 cmd_template(struct session *s, const struct args *args, struct error *error)
 {
-	(void)error;
 	FREED char *text = NULL;
 	size_t n = 0;
+	enum answer_format format = s->set.format;
+	if (format == ANSWER_JSON || format == ANSWER_MARKDOWN)
+		return error_set(error, ERROR_USAGE,
+		    "template makes a site file, which cannot be in %s\n"
+		    "write: template > FILE.csv, or template > FILE.xlsx",
+		    ANSWER_FORMATS[format].name);
 	struct form f = {s->set.semicolon ? ';' : ',', s->out};
 	if (s->book == NULL) {
 		s->rows += write_sieve_template(&f, args);

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/shards.h"
 
-#include <errno.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
@@ -10,6 +9,7 @@
 
 #include "base/xalloc.h"
 #include "config.h"
+#include "io/cells/textfile.h"
 
 /* What commands write: the keys of their rows' source and remark, if they have
  * one, and of the n numbers; without keys these are the list "numbers". */
@@ -116,10 +116,13 @@ bool
 parts_read_result_file(
     const char *path, struct parts *parts, struct error *error)
 {
-	FILE *in = fopen(path, "r");
+	const char *why;
+	FILE *in = textfile_open(path, &why);
 	if (in == NULL)
 		return error_set_at(error, ERROR_SYSTEM, path, 0, 0,
-		    "cannot be read: %s\ncheck the name", strerror(errno));
+		    "cannot be read: %s\nname the file of each part: collect "
+		    "part1.json part2.json",
+		    why);
 	size_t before = parts->n;
 	bool good = true;
 	json_t *o;

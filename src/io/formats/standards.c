@@ -8,7 +8,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -347,5 +346,5 @@ standards_is_file_path(const char *word)
 	for (size_t i = 0; i < ARRAY_LEN(BEGIN); i++)
 		if (strncmp(word, BEGIN[i], strlen(BEGIN[i])) == 0)
 			return true;
-	return file_has_sheet_ending(word) || access(word, F_OK) == 0;
+	return file_has_sheet_ending(word) || file_exists(word);
 }

@@ -34,6 +34,13 @@ report_cannot_write(const char *path, int reason, struct error *error)
 	    path, strerror(reason));
 }
 
+bool
+file_exists(const char *path)
+{
+	struct stat about;
+	return stat(path, &about) == 0 && !S_ISDIR(about.st_mode);
+}
+
 char *
 file_real_folder(const char *path)
 {
@@ -298,8 +305,6 @@ file_replace_using_writer(const char *path, enum file_rights rights,
 {
 	FREED char *text = NULL;
 	size_t n = 0;
-	if (!file_check_no_workbook(path, error))
-		return false;
 	FILE *memory = text_open_memory(&text, &n);
 	write(data, memory);
 	return fclose(memory) == 0

@@ -24,7 +24,7 @@ bool file_replace_contents(const char *path, enum file_rights rights,
     const char *bytes, size_t n, struct error *error);
 
 /* As file_replace_contents, with the text that `write` prints, which is
- * collected in memory first; also false if file_check_no_workbook is. */
+ * collected in memory first. */
 bool file_replace_using_writer(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
@@ -34,6 +34,9 @@ bool file_replace_using_writer(const char *path, enum file_rights rights,
  * file as it was. */
 bool file_append_bytes(const char *path, enum file_rights rights,
     const char *bytes, size_t n, struct error *error);
+
+/* True if there is a file at the path, and not a folder. */
+bool file_exists(const char *path);
 
 /* Returns the part of a path after its folders; borrowed. */
 const char *file_name_without_folders(const char *path);

@@ -220,6 +220,5 @@ site_save(const struct site *site, const char *path, size_t *rows,
 		    "load a part of the samples, and write that: load FILE "
 		    "range=A1:F500",
 		    columns, *rows, SOURCE_MOST_COLUMNS, SOURCE_MOST_CELLS);
-	return file_check_no_workbook(path, error) &&
-	       file_replace_contents(path, FILE_SHARED, text, n, error);
+	return file_replace_contents(path, FILE_SHARED, text, n, error);
 }

@@ -229,7 +229,7 @@ command_that_sets_goal(struct tui *t, const char *text)
 {
 	const struct session *s = t->session;
 	bool envelope = text[0] != '\0' && !goals_is_condition_text(text) &&
-			conditions_first_text_length(text) == strlen(text);
+			text_length_of_list_item(text) == strlen(text);
 	FREED char *goal =
 	    text_add_quotes(text[0] != '\0' ? text : SETTINGS_NONE);
 	char *line = xstrdup("");

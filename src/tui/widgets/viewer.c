@@ -16,12 +16,10 @@
 /* Returns the text with its long lines wrapped to the screen, but those of
  * tables, which have more than a space between two columns. */
 static char *
-wrap_long_lines(const char *text)
+wrap_long_lines(const char *text, int columns)
 {
-	int rows, columns;
 	char *all = NULL;
 	size_t size = 0, n;
-	screen_size(&rows, &columns);
 	FILE *out = text_open_memory(&all, &size);
 	for (const char *p = text; *p != '\0'; p += n + (p[n] == '\n')) {
 		n = strcspn(p, "\n");
@@ -36,11 +34,25 @@ wrap_long_lines(const char *text)
 	return all;
 }
 
-/* Splits the text into lines, and finds the width of the longest. */
+static void
+viewer_free_lines(struct viewer *v)
+{
+	for (int i = 0; i < v->lines; i++)
+		free(v->line[i]);
+	free(v->line);
+	v->line = NULL;
+	v->lines = v->columns = 0;
+}
+
+/* Splits the text into lines that fit the screen, and finds the width of the
+ * longest. */
 static void
 viewer_split_into_lines(struct viewer *v)
 {
-	FREED char *text = wrap_long_lines(v->text);
+	int rows;
+	screen_size(&rows, &v->screen);
+	FREED char *text = wrap_long_lines(v->text, v->screen);
+	viewer_free_lines(v);
 	for (const char *p = text; *p != '\0'; v->lines++) {
 		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
@@ -58,9 +70,7 @@ viewer_close(struct tui *t)
 {
 	tui_clear_click_areas(t);
 	struct viewer *v = &t->viewer;
-	for (int i = 0; i < v->lines; i++)
-		free(v->line[i]);
-	free(v->line);
+	viewer_free_lines(v);
 	if (v->text != NULL && !v->keys) {
 		free(t->closed);
 		t->closed = v->text;
@@ -471,9 +481,24 @@ viewer_draw_hints(struct tui *t)
 	    t, t->running_line != NULL ? tr("Esc stops") : hints);
 }
 
+/* After a change of the screen's width, splits the text into other lines, and
+ * goes to about the same place. */
+static void
+viewer_split_for_other_width(struct viewer *v)
+{
+	int rows, columns, lines = v->lines;
+	screen_size(&rows, &columns);
+	if (v->screen == columns || lines == 0)
+		return;
+	viewer_split_into_lines(v);
+	v->top = v->top * v->lines / lines;
+	v->at = v->keys ? v->at : -1;
+}
+
 void
 viewer_draw(struct tui *t)
 {
+	viewer_split_for_other_width(&t->viewer);
 	clamp_scroll_position(t);
 	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
