@@ -716,6 +716,25 @@ ask_decimal_sign(const struct open *open, const struct site_request *q,
 	    open->number.text);
 }
 
+static bool
+ask_rotor_diameter(const struct heading_rotor *stated,
+    const struct site_request *q, const struct table *t, struct site_ask *ask)
+{
+	struct cell first = t->row[0].cell[0];
+	bool two = stated->other_mm > 0;
+	ask->settle = two ? xasprintf("rotor_mm=%g or rotor_mm=%g", stated->mm,
+				stated->other_mm)
+			  : xstrdup("rotor_mm=DIAMETER");
+	if (stated->other_line == 0)
+		return report_question_as_fault(q, t, first, ask,
+		    tr("expected tip speeds in m/s, got rpm without the "
+		       "rotor's diameter"));
+	FREED char *rotors = site_heading_rotors_text(stated);
+	return report_question_as_fault(q, t, first, ask,
+	    tr("expected one rotor diameter for speeds in rpm, got %s"),
+	    rotors);
+}
+
 bool
 site_ask_pending_question(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
@@ -733,13 +752,8 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 			first = &all->column[i];
 	if (open->number.text != NULL)
 		return ask_decimal_sign(open, q, table[0], ask);
-	if (open->rotor) {
-		ask->settle = xstrdup("rotor_mm=DIAMETER");
-		return report_question_as_fault(q, table[0],
-		    table[0]->row[0].cell[0], ask,
-		    tr("expected tip speeds in m/s, got rpm without the "
-		       "rotor's diameter"));
-	}
+	if (open->rotor)
+		return ask_rotor_diameter(&open->stated, q, table[0], ask);
 	if (second != NULL)
 		return ask_which_table(q, table, n_table, second, all, ask);
 	struct tables tables = {.table = table, .n = n_table, .all = all};

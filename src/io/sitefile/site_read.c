@@ -889,11 +889,13 @@ check_sieve_table_found(struct reading *r)
 /* Takes the rotor's diameter from the options, else from a key, else from
  * titles and remarks; from none if the lines of the sheet disagree. */
 static void
-set_rotor_of_site(struct reading *r, const struct heading_rotor *said)
+set_rotor_of_site(struct reading *r)
 {
-	if (r->request->rotor > 0 || said->mm < 0)
+	const struct heading_rotor *said = &r->open.stated;
+	bool differ = said->other_line > 0;
+	if (r->request->rotor > 0 || differ)
 		r->site->rotor = r->request->rotor;
-	if (r->site->rotor > 0 || !(said->mm > 0))
+	if (r->site->rotor > 0 || differ || !(said->mm > 0))
 		return;
 	r->site->rotor = said->mm / 1000;
 	xappend_to_list(&r->site->remark, "; ",
@@ -925,21 +927,37 @@ note_speeds_from_rpm(struct reading *r)
 		    1000 * rotor, mps);
 }
 
+/* Notes, unless another site's rotor serves, that lines which differ leave the
+ * rotor unknown. */
+static void
+note_differing_rotors(struct reading *r)
+{
+	const struct site_request *q = r->request;
+	if (r->site->rotor > 0 || r->open.stated.other_line == 0 || q->parts ||
+	    q->feed)
+		return;
+	FREED char *rotors = site_heading_rotors_text(&r->open.stated);
+	xappend_to_list(&r->site->remark, "; ",
+	    tr("rotor diameter not taken, got %s: load with "
+	       "rotor_mm=DIAMETER to state it"),
+	    rotors);
+}
+
 static void
 read_all_tables(struct reading *r)
 {
-	struct heading_rotor rotor = {0};
 	for (size_t i = 0; i < r->n_page; i++)
 		title_move_lines_to_headings(r->page[i].layout);
 	for (size_t i = 0; i < r->n_page; i++)
-		site_heading_merge_rotor(r->page[i].layout, &rotor);
+		site_heading_merge_rotor(
+		    r->page[i].layout, r->page[i].sheet, &r->open.stated);
 	for (size_t i = 0; i < r->n_page; i++) {
 		const struct page *page = &r->page[i];
 		struct heading_speed told = {0};
 		if (page->layout->n == 0)
 			continue;
 		site_heading_read(page->layout, page->sheet, r->site, &told);
-		set_rotor_of_site(r, &rotor);
+		set_rotor_of_site(r);
 		if (title_has_speed_per_table(page->layout))
 			told = (struct heading_speed){0};
 		for (size_t b = 0;
@@ -1279,6 +1297,7 @@ finish_site_reading(struct reading *r)
 	}
 	r->site->told = did_user_supply_information(q);
 	note_speeds_from_rpm(r);
+	note_differing_rotors(r);
 	make_runs_of_site(r->site, &r->all);
 	if (q->parts) {
 		note_days_of_cuts(r);
