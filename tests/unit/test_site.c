@@ -152,6 +152,11 @@ static const struct {
     {"rotor of 840 mm or rotor of 900 mm\nsize_mm,feed,1180 rpm,79 "
      "m/s\n" ROWS,
 	3, 1, "got several in line 1", "rotor_mm=DIAMETER"},
+    {"Quarry:,,A,B\n" TOP ROWS, 2, 14, "those of 'A' and 'B'", "3=product@69"},
+    {"Crusher :,,1,2\nQuarry,,A,A\n" TOP ROWS, 3, 14, "those of '1' and '2'",
+	"3=product@69"},
+    {"Quarry,,A,B\n\n" TOP ROWS, 1, 11, "end of the line",
+	"above the headings"},
     {"Sample,Quarry,mm,passing\nfeed,A,8,100\nfeed,A,4,50\n70 m/s,A,8,100\n"
      "70 m/s,A,4,60\n79 m/s,B,8,100\n79 m/s,B,4,70\n",
 	4, 12, "one site and machine, got those of 'A' and 'B'",

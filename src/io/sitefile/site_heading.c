@@ -269,17 +269,15 @@ set_site_field_from_next_key(struct site *site, struct sheet *sheet,
 	size_t n = next_key_and_value(row, at, &key, &value, &third, &copy);
 	if (n == 0)
 		return false;
-	size_t colon = strlen(key.text);
-	FREED char *bare = xstrndup(key.text,
-	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
-	enum lexicon_key k = lexicon_site_key_of_text(bare);
+	enum lexicon_key k = lexicon_site_key_of_text(key.text);
 	if (n == 1 && k == N_KEY && begins_with_site_key(key.text)) {
 		report_key_without_value(sheet, key);
 	} else if (n > 2 && k < N_KEY) {
 		sheet_report_expected(sheet, third,
 		    "the end of the line after key and value",
-		    "quote a value that contains the separator, or begin a "
-		    "remark with #; with decimal commas, separate the cells "
+		    "quote a value that contains the separator, begin a remark "
+		    "with #, or put names of single products directly above "
+		    "the headings; with decimal commas, separate the cells "
 		    "with ;");
 	} else if (k < N_KEY && seen[k] > 0) {
 		sheet_report_fault(sheet, key,
