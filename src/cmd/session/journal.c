@@ -354,11 +354,15 @@ journal_can_be_saved(const struct session *s, struct error *error)
 		if (text_is_utf8(j->line[i], strlen(j->line[i])) &&
 		    strpbrk(j->line[i], "\r\n") == NULL)
 			continue;
+		FREED char *line = xstrdup("");
+		for (const char *p = j->line[i]; *p != '\0'; p++)
+			if (*p != PATH_BEGINS)
+				xappend(&line, "%c", *p);
 		return error_set(error, ERROR_DATA,
 		    "cannot write '%.200s' into a script: a name in it is not "
 		    "UTF-8 or has a line break\n"
 		    "rename the file and load it again",
-		    j->line[i]);
+		    line);
 	}
 	return true;
 }
