@@ -143,10 +143,20 @@ static const struct {
 	"rotor_mm="},
     {"rotor_mm,840\nrotor_mm,900\nsize_mm,feed,product 1180 "
      "rpm,product@79\n" ROWS,
-	4, 1, "rpm without", "rotor_mm="},
-    {"VSI with a rotor of 840 mm\nrotor_mm,900\nsize_mm,feed,1180 rpm,79 "
+	4, 1, "got 840 mm in line 1 and 900 mm in line 2",
+	"rotor_mm=840 or rotor_mm=900"},
+    {"VSI with a rotor of 840 mm\nrotor,900\nsize_mm,feed,1180 rpm,79 "
      "m/s\n" ROWS,
-	4, 1, "rpm without", "rotor_mm="},
+	4, 1, "got 840 mm in line 1 and 900 mm in line 2",
+	"rotor_mm=840 or rotor_mm=900"},
+    {"rotor of 840 mm or rotor of 900 mm\nsize_mm,feed,1180 rpm,79 "
+     "m/s\n" ROWS,
+	3, 1, "got several in line 1", "rotor_mm=DIAMETER"},
+    {"Quarry:,,A,B\n" TOP ROWS, 2, 14, "those of 'A' and 'B'", "3=product@69"},
+    {"Crusher :,,1,2\nQuarry,,A,A\n" TOP ROWS, 3, 14, "those of '1' and '2'",
+	"3=product@69"},
+    {"Quarry,,A,B\n\n" TOP ROWS, 1, 11, "end of the line",
+	"above the headings"},
     {"Sample,Quarry,mm,passing\nfeed,A,8,100\nfeed,A,4,50\n70 m/s,A,8,100\n"
      "70 m/s,A,4,60\n79 m/s,B,8,100\n79 m/s,B,4,70\n",
 	4, 12, "one site and machine, got those of 'A' and 'B'",

@@ -275,43 +275,15 @@ journal_saved_command_text(const struct args *args, const struct words *words)
 }
 
 char *
-journal_load_command_text(
-    uint64_t digest, size_t n, const char *const *path, const double *speed)
+journal_load_command_text(uint64_t digest, const struct site_request *q)
 {
-	char *line = xstrdup("load"), number[32];
-	for (size_t i = 0; i < n; i++) {
-		FREED char *word =
-		    speed != NULL && speed[i] > 0
-			? xasprintf("%s@%s", path[i],
-			      text_shortest_exact_number(speed[i], number))
-			: xstrdup(path[i]);
+	char *line = xstrdup("load");
+	for (size_t i = 0; i < q->n; i++) {
+		FREED char *word = site_request_file_text(q, i);
 		append_paths(&line, NULL, false, word);
 	}
 	xappend(&line, " digest=%016" PRIx64, digest);
 	return line;
-}
-
-char *
-journal_load_options_text(const struct site_request *q)
-{
-	char *text = xstrdup(""), number[32];
-	if (q->columns != NULL)
-		xappend(&text, " columns=\"%s\"", q->columns);
-	if (q->samples != NULL)
-		xappend(&text, " samples=\"%s\"", q->samples);
-	if (q->sheet != NULL)
-		xappend(&text, " sheet=\"%s\"", q->sheet);
-	if (q->range != NULL)
-		xappend(&text, " range=%s", q->range);
-	if (q->decimal != '\0')
-		xappend(&text, " decimal=%s",
-		    q->decimal == ',' ? "comma" : "point");
-	if (q->rotor > 0)
-		xappend(&text, " rotor_mm=%.15g", 1000 * q->rotor);
-	if (q->top > 0)
-		xappend(&text, " top=%s",
-		    text_shortest_exact_number(q->top, number));
-	return text;
 }
 
 char *
@@ -382,11 +354,15 @@ journal_can_be_saved(const struct session *s, struct error *error)
 		if (text_is_utf8(j->line[i], strlen(j->line[i])) &&
 		    strpbrk(j->line[i], "\r\n") == NULL)
 			continue;
+		FREED char *line = xstrdup("");
+		for (const char *p = j->line[i]; *p != '\0'; p++)
+			if (*p != PATH_BEGINS)
+				xappend(&line, "%c", *p);
 		return error_set(error, ERROR_DATA,
 		    "cannot write '%.200s' into a script: a name in it is not "
 		    "UTF-8 or has a line break\n"
 		    "rename the file and load it again",
-		    j->line[i]);
+		    line);
 	}
 	return true;
 }

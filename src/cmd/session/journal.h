@@ -68,15 +68,10 @@ void journal_append_quoted_word(char **line, const char *word);
 char *journal_saved_command_text(
     const struct args *args, const struct words *words);
 
-/* Returns "load FILE@SPEED.. digest=HEX" for what was read from n files.
- * speed: of the samples in each file, m/s, or 0; NULL for none.  The caller
- * frees it. */
+/* Returns "load FILE@SPEED.. digest=HEX" for what was read.  The caller frees
+ * it. */
 char *journal_load_command_text(
-    uint64_t digest, size_t n, const char *const *path, const double *speed);
-
-/* Returns the options of a request as one would type them, " sheet=\"B\"
- * top=16".  The caller frees it. */
-char *journal_load_options_text(const struct site_request *request);
+    uint64_t digest, const struct site_request *request);
 
 /* Returns the call as typed, but with the full name of the command.  The caller
  * frees it. */

@@ -28,21 +28,20 @@
 enum { MOST_ROUNDS = 5 };
 
 /* A request to read files, with the files and the user's answers, which it
- * owns.  rpm: the speed after the name of a file with a feed, if it is in rpm,
- * or 0. */
+ * owns. */
 struct load {
 	struct site_request request;
 	char **path;
-	double *speed, rpm;
+	double *speed;
 	struct user_answers said;
 	const char *digest;
 };
 
-/* Splits "cut1.csv@70" into file and speed, unless there is a file with that
- * whole name.  rpm: gets a speed in rpm; NULL if it has to be in m/s. */
+/* Splits "cut1.csv@70" or "cut1.csv@1650rpm" into file and speed, below 0 if in
+ * rpm, unless there is a file with that whole name. */
 static bool
-split_file_and_speed(const char *word, char **path, double *speed, double *rpm,
-    struct error *error)
+split_file_and_speed(
+    const char *word, char **path, double *speed, struct error *error)
 {
 	const char *at = strrchr(word, '@');
 	*speed = 0;
@@ -53,16 +52,13 @@ split_file_and_speed(const char *word, char **path, double *speed, double *rpm,
 	struct head head = heading_parse(at);
 	char **copy = path;
 	(*copy)[at - word] = '\0';
-	*speed = head.speed;
-	if (rpm != NULL && head.rpm > 0 && !head.several) {
-		*rpm = head.rpm;
-		return true;
-	}
-	if (head.speed > 0 && head.speed <= SITE_FASTEST && !head.several)
+	*speed = head.rpm > 0 ? -head.rpm : head.speed;
+	if (*speed != 0 && *speed <= SITE_FASTEST && !head.several)
 		return true;
 	return error_set(error, ERROR_USAGE,
-	    "expected a tip speed in m/s after @, got '%s'\n"
-	    "write the speed of the sample there: cut1.csv@70",
+	    "expected a tip speed in m/s, or rpm, after @, got '%s'\n"
+	    "write the speed of the sample there: cut1.csv@70, or "
+	    "cut1.csv@1650rpm",
 	    word);
 }
 
@@ -85,7 +81,8 @@ free_load_request(struct load *l)
 	free_user_answers(&l->said);
 }
 
-/* Adds a file and takes ownership of the path.  speed: m/s, or 0. */
+/* Adds a file and takes ownership of the path.  speed: see struct
+ * site_request. */
 static void
 load_add_path(struct load *l, char *path, double speed)
 {
@@ -103,8 +100,7 @@ load_add_file(struct load *l, const char *word, struct error *error)
 {
 	char *path;
 	double speed;
-	bool good = split_file_and_speed(
-	    word, &path, &speed, l->request.feed ? &l->rpm : NULL, error);
+	bool good = split_file_and_speed(word, &path, &speed, error);
 	load_add_path(l, path, speed);
 	if (!good || !text_ends_with(path, ".tip"))
 		return good;
@@ -197,16 +193,11 @@ hint_how_to_add_products(
     const struct session *s, const struct load *l, struct error *error)
 {
 	size_t own = 0;
-	char number[32];
 	const char *site = s->n_entry > 0 ? s->entry[s->current].key : NULL;
 	FREED char *line = xstrdup("add"),
-		   *options = journal_load_options_text(&l->request);
+		   *options = site_request_options_text(&l->request);
 	for (size_t i = 0; i < l->request.n; i++) {
-		FREED char *word =
-		    l->speed[i] > 0
-			? xasprintf("%s@%s", l->path[i],
-			      text_shortest_exact_number(l->speed[i], number))
-			: xstrdup(l->path[i]);
+		FREED char *word = site_request_file_text(&l->request, i);
 		journal_append_quoted_word(&line, word);
 	}
 	if (site != NULL)
@@ -257,9 +248,9 @@ add_loaded_site_to_session(
 	const struct entry *entry = session_current_site_entry(s);
 	note_loaded_site(s, entry->site);
 	check_warn_coarser_product(s, entry->site);
-	FREED char *line = journal_load_command_text(entry->site->digest,
-	    l->request.n, l->request.path, l->request.speed);
-	FREED char *options = journal_load_options_text(&l->request);
+	FREED char *line =
+	    journal_load_command_text(entry->site->digest, &l->request);
+	FREED char *options = site_request_options_text(&l->request);
 	journal_add_line(s, NULL, "%s%s", line, options);
 	return true;
 }
@@ -297,7 +288,7 @@ are_files_parts_of_site(const struct session *s, struct load *l)
 {
 	size_t feeds = 0, n = l->request.n;
 	for (size_t i = 0; i < n; i++)
-		if (l->speed[i] > 0)
+		if (l->speed[i] != 0)
 			return true; /* the user says so */
 	for (size_t i = 0; i < n; i++) {
 		bool feed, product;
@@ -583,7 +574,7 @@ load_cuts(struct session *s, const struct args *args, const char *const *word,
 		files_record_read(s, l.path[i]);
 	struct site *site = good ? read_site_or_ask_user(s, &l, error) : NULL;
 	copy_user_answers_to_request(&l.said, &answers);
-	FREED char *options = journal_load_options_text(&answers);
+	FREED char *options = site_request_options_text(&answers);
 	invocation_add_journal_options(s, "%s", options);
 	free_load_request(&l);
 	return site;
@@ -629,19 +620,20 @@ find_run_with_feed(const struct site *site, const char *word, double speed,
 	return false;
 }
 
-/* Converts the speed of a feed from rpm, with the rotor of its sheet. */
+/* Converts the speed of a feed from rpm (below 0), with the rotor of its
+ * sheet. */
 static bool
-convert_feed_speed_from_rpm(const struct site *site, double rpm,
-    const char *word, double *speed, struct error *error)
+convert_feed_speed_from_rpm(const struct site *site, const char *word,
+    double *speed, struct error *error)
 {
-	if (rpm > 0 && !(site->rotor > 0))
+	if (*speed < 0 && !(site->rotor > 0))
 		return error_set(error, ERROR_USAGE,
 		    "expected a tip speed in m/s after @, got '%s', whose "
 		    "rotor is not known\n"
 		    "write m/s, or a line rotor_mm,DIAMETER in the sheet",
 		    word);
-	if (rpm > 0)
-		*speed = site_speed_from_rpm(site, rpm, site->rotor);
+	if (*speed < 0)
+		*speed = site_speed_from_rpm(site, -*speed, site->rotor);
 	return true;
 }
 
@@ -658,7 +650,7 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 		site = read_site_or_ask_user(s, &l, error);
 	}
 	if (site != NULL &&
-	    (!convert_feed_speed_from_rpm(site, l.rpm, word, &speed, error) ||
+	    (!convert_feed_speed_from_rpm(site, word, &speed, error) ||
 		!find_run_with_feed(site, word, speed, run, error))) {
 		site_free(site);
 		site = NULL;

@@ -89,11 +89,13 @@ static void
 add_plant_log_load_to_journal(
     struct session *s, const struct log_request *q, const struct plant_log *log)
 {
-	const struct site_request of = {
-	    .columns = q->columns, .sheet = q->sheet, .decimal = q->decimal};
-	FREED char *line =
-	    journal_load_command_text(log->digest, q->n, q->path, NULL);
-	FREED char *options = journal_load_options_text(&of);
+	const struct site_request of = {.n = q->n,
+	    .path = q->path,
+	    .columns = q->columns,
+	    .sheet = q->sheet,
+	    .decimal = q->decimal};
+	FREED char *line = journal_load_command_text(log->digest, &of);
+	FREED char *options = site_request_options_text(&of);
 	journal_add_line(s, NULL, "%s as=log%s%s", line, options,
 	    q->order == DATETIME_OPEN        ? ""
 	    : q->order == DATETIME_DAY_FIRST ? " dates=day-first"

@@ -118,6 +118,19 @@ refuse_ole_file(const char *bytes, size_t n, struct sheets *grid)
 	    tr("save it as .xlsx without a password"));
 }
 
+/* Refuses texts that are no sheets, though they may hold tables. */
+static bool
+refuse_marked_up_text(const char *bytes, size_t n, struct sheets *grid)
+{
+	(void)n;
+	return refuse_workbook(grid,
+	    bytes[0] == '<'
+		? tr("expected .xlsx, .ods or text, got HTML or XML")
+	    : bytes[0] == '%' ? tr("expected .xlsx, .ods or text, got a PDF")
+			      : tr("expected .xlsx, .ods or text, got JSON"),
+	    tr("save the table as .xlsx or CSV"));
+}
+
 /* Puts the cells of a file into the grid.  Returns false with one fault if that
  * is not possible. */
 typedef bool read_to_grid(const char *bytes, size_t n, struct sheets *grid);
@@ -132,6 +145,13 @@ static const struct {
     {"PK\5\6", read_zip_to_grid},
     {"PK\7\x8", read_zip_to_grid},
     {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", refuse_ole_file},
+    {"<!DOCTYPE", refuse_marked_up_text},
+    {"<!doctype", refuse_marked_up_text},
+    {"<html", refuse_marked_up_text},
+    {"<?xml", refuse_marked_up_text},
+    {"%PDF", refuse_marked_up_text},
+    {"{\"", refuse_marked_up_text},
+    {"[{", refuse_marked_up_text},
 };
 
 /* Returns how a file of cells is read, or NULL for text. */

@@ -639,7 +639,7 @@ infer_column_speed(struct column *c, const struct surroundings *near)
 	if (c->speed > SITE_FASTEST ||
 	    (counted && c->speed > 0 && c->speed < 20)) {
 		c->open = true;
-		c->speed = 0;
+		c->speed = c->rpm = 0;
 	}
 	if (c->speed > 0)
 		c->speed = round(c->speed * 1e4) / 1e4;
@@ -1243,7 +1243,6 @@ classify_columns_together(
 {
 	size_t feeds = site_column_count_by_role(all, NULL, FEED);
 	size_t products = site_column_count_by_role(all, NULL, PRODUCT);
-	*wants_rotor = false;
 	for (size_t i = 0; i < all->n; i++)
 		*wants_rotor = *wants_rotor || (all->column[i].rpm > 0 &&
 						   !(all->column[i].speed > 0));

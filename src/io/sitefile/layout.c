@@ -975,6 +975,18 @@ is_heading_of_all_columns(
 	return g->across && (n->means & all) != 0 && n->unknown == 0;
 }
 
+/* True if row r, "Quarry,,A,B", names the site or machine of each product: it
+ * has several names, and none above the feed. */
+static bool
+is_name_for_each_product(
+    const struct sheet_grid *g, size_t r, const struct place *p, size_t filled)
+{
+	enum lexicon_key key =
+	    lexicon_site_key_of_text(cell_at(g, r, p->c)->text);
+	return (key == KEY_SITE || key == KEY_MACHINE) && filled > 1 &&
+	       !is_cell_filled(g, r, p->c + 1);
+}
+
 /* True if row r, above the heading of the sieves, is a heading too: it
  * describes the columns, and is neither a key with its value nor a title. */
 static bool
@@ -992,7 +1004,7 @@ is_further_heading_row(
 		return false;
 	const char *key = cell_at(g, r, p->c)->text;
 	if (!g->across && lexicon_site_key_of_text(key) != N_KEY)
-		return false;
+		return is_name_for_each_product(g, r, p, filled);
 	/* The command add writes a line such as cut, "72 m/s, 2026-05-04". */
 	if (strcmp(key, "cut") == 0 && filled == 1 &&
 	    strstr(cell_at(g, r, p->c + 1)->text, ", ") != NULL)

@@ -447,6 +447,8 @@ is_key_in_list(const char *key, const char *list)
 	FREED char *folded = text_fold_case_and_accents(key);
 	const char *word = text_trim(folded);
 	size_t n = strlen(word);
+	n -= n > 1 && word[n - 1] == ':';
+	n -= n > 1 && word[n - 1] == ' ';
 	for (const char *p = list; n > 0 && *p != '\0';) {
 		size_t length = strcspn(p, "|");
 		if (length == n && strncmp(p, word, n) == 0)

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/cells/sheet.h"
 #include "io/cells/source.h"
@@ -44,13 +45,44 @@ command_on_about_sheet(const struct sheet *sheet)
 		   : NULL;
 }
 
+/* True for "trust: green" or "warning: trust at 70 m/s: red", in English or in
+ * the language in use. */
+static bool
+is_sentence_on_trust(const char *text)
+{
+	static const char *const SAYS[] = {
+	    N_("trust: %s%s"), N_("trust at %g m/s%s: %s%s")};
+	const char *const warning[] = {"warning: ", tr("warning: ")};
+	for (size_t i = 0; i < ARRAY_LEN(warning); i++)
+		if (strncmp(text, warning[i], strlen(warning[i])) == 0)
+			text += strlen(warning[i]);
+	for (size_t i = 0; i < ARRAY_LEN(SAYS); i++)
+		if (strncmp(text, SAYS[i], strcspn(SAYS[i], "%")) == 0 ||
+		    strncmp(text, tr(SAYS[i]), strcspn(tr(SAYS[i]), "%")) == 0)
+			return true;
+	return false;
+}
+
+/* Answers as text or Markdown do not name their command, but say how far to
+ * trust what they predict. */
+static char *
+command_of_answer_with_trust(const struct sheet *sheet)
+{
+	bool text = sheet->name[0] == '\0';
+	for (size_t i = 0; i < sheet->n_row && text; i++)
+		if (is_sentence_on_trust(sheet->row[i].cell[0].text))
+			return xstrdup("predict");
+	return NULL;
+}
+
 char *
 command_that_made_sheet(const struct sheet *sheet)
 {
 	bool table = is_first_cell_equal(sheet, 0, "command") &&
 		     sheet->row[0].n > 1 && sheet->n_row > 1;
-	return table ? first_word(sheet->row[1].cell[0].text)
-		     : command_on_about_sheet(sheet);
+	char *command = table ? first_word(sheet->row[1].cell[0].text)
+			      : command_on_about_sheet(sheet);
+	return command != NULL ? command : command_of_answer_with_trust(sheet);
 }
 
 /* Results as JSON begin with {"command":"predict". */

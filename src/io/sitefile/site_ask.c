@@ -255,33 +255,25 @@ list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
 		ask->settle = xstrdup(settle);
 }
 
-/* Returns the files and options of the request, as `load` takes them. */
+/* Returns the files and options of the request, as `load` takes them, without
+ * what the answer replaces. */
 static char *
 load_files_and_options_text(const struct site_request *q, const char *settle)
 {
 	char *list = xstrdup("");
+	struct site_request rest = *q;
 	for (size_t i = 0; i < q->n; i++) {
-		bool quote = strpbrk(q->path[i], " \t;#'|>") != NULL;
-		xappend_to_list(&list, " ", "%s%s%s", quote ? "\"" : "",
-		    q->path[i], quote ? "\"" : "");
-		if (q->speed != NULL && q->speed[i] > 0)
-			xappend(&list, "@%g", q->speed[i]);
+		FREED char *word = site_request_file_text(q, i);
+		bool quote = strpbrk(word, " \t;#'|>") != NULL;
+		xappend_to_list(&list, " ", "%s%s%s", quote ? "\"" : "", word,
+		    quote ? "\"" : "");
 	}
-	if (q->columns != NULL && strncmp(settle, "columns", 7) != 0)
-		xappend(&list, " columns=\"%s\"", q->columns);
-	if (q->samples != NULL && strstr(settle, "samples=") == NULL)
-		xappend(&list, " samples=\"%s\"", q->samples);
-	if (q->sheet != NULL)
-		xappend(&list, " sheet=\"%s\"", q->sheet);
-	if (q->range != NULL)
-		xappend(&list, " range=%s", q->range);
-	if (q->decimal != '\0')
-		xappend(&list, " decimal=%s",
-		    q->decimal == ',' ? "comma" : "point");
-	if (q->rotor > 0)
-		xappend(&list, " rotor_mm=%g", 1000 * q->rotor);
-	if (q->top > 0)
-		xappend(&list, " top=%g", q->top);
+	if (strncmp(settle, "columns", 7) == 0)
+		rest.columns = NULL;
+	if (strstr(settle, "samples=") != NULL)
+		rest.samples = NULL;
+	FREED char *options = site_request_options_text(&rest);
+	xappend(&list, "%s", options);
 	return list;
 }
 
@@ -602,11 +594,10 @@ hint_speed_for_each_file(const struct site_request *q,
 			       (all->column[k].role == FEED &&
 				   strcmp(all->column[k].table->sheet->path,
 				       q->path[i]) == 0);
-		xappend_to_list(&files, " ", "%s", q->path[i]);
-		if (q->speed != NULL && q->speed[i] > 0)
-			xappend(&files, "@%g", q->speed[i]);
-		else if (!feed)
-			xappend(&files, "@SPEED");
+		FREED char *word = site_request_file_text(q, i);
+		bool given = q->speed != NULL && q->speed[i] != 0;
+		xappend_to_list(
+		    &files, " ", "%s%s", word, given || feed ? "" : "@SPEED");
 	}
 	error_set_hint(error, "say their speeds: load %s", files);
 }
@@ -716,6 +707,25 @@ ask_decimal_sign(const struct open *open, const struct site_request *q,
 	    open->number.text);
 }
 
+static bool
+ask_rotor_diameter(const struct heading_rotor *stated,
+    const struct site_request *q, const struct table *t, struct site_ask *ask)
+{
+	struct cell first = t->row[0].cell[0];
+	bool two = stated->other_mm > 0;
+	ask->settle = two ? xasprintf("rotor_mm=%g or rotor_mm=%g", stated->mm,
+				stated->other_mm)
+			  : xstrdup("rotor_mm=DIAMETER");
+	if (stated->other_line == 0)
+		return report_question_as_fault(q, t, first, ask,
+		    tr("expected tip speeds in m/s, got rpm without the "
+		       "rotor's diameter"));
+	FREED char *rotors = site_heading_rotors_text(stated);
+	return report_question_as_fault(q, t, first, ask,
+	    tr("expected one rotor diameter for speeds in rpm, got %s"),
+	    rotors);
+}
+
 bool
 site_ask_pending_question(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
@@ -733,13 +743,8 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 			first = &all->column[i];
 	if (open->number.text != NULL)
 		return ask_decimal_sign(open, q, table[0], ask);
-	if (open->rotor) {
-		ask->settle = xstrdup("rotor_mm=DIAMETER");
-		return report_question_as_fault(q, table[0],
-		    table[0]->row[0].cell[0], ask,
-		    tr("expected tip speeds in m/s, got rpm without the "
-		       "rotor's diameter"));
-	}
+	if (open->rotor)
+		return ask_rotor_diameter(&open->stated, q, table[0], ask);
 	if (second != NULL)
 		return ask_which_table(q, table, n_table, second, all, ask);
 	struct tables tables = {.table = table, .n = n_table, .all = all};

@@ -4,13 +4,15 @@
 #define TIPSPEED_IO_SITEFILE_SITE_ASK_H
 
 #include "io/sitefile/site_column.h"
+#include "io/sitefile/site_heading.h"
 #include "io/sitefile/site_request.h"
 
-/* What is open.  rotor: the rotor's diameter; sieves: the unit of the sieves.
- * number: a cell whose sign may be decimal or separate thousands; its text is
- * NULL if there is none. */
+/* What is open.  rotor: the rotor's diameter; stated: what the sheet says about
+ * it; sieves: the unit of the sieves.  number: a cell whose sign may be decimal
+ * or separate thousands; its text is NULL if there is none. */
 struct open {
 	bool rotor, sieves;
+	struct heading_rotor stated;
 	struct cell number;
 	const struct table *other; /* a table that may be another site's */
 	/* two tables in one: the first ends before row `end`, the second begins

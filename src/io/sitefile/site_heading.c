@@ -57,33 +57,36 @@ read_first_number_of_cell(
 	    number_reparse_cell_with_text(sheet, cell, copy), value);
 }
 
-/* Takes the rotor's diameter if a key and value state it.  A number below 10 is
- * in m. */
-static bool
-site_heading_parse_rotor(struct site *site, const struct sheet *sheet,
-    struct cell key, struct cell value)
+/* Returns the rotor's diameter, mm, that a key and value state, or 0.  A number
+ * below 10 is in m. */
+static double
+rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 {
 	uint64_t means = lexicon_text_meanings(key.text, NULL);
-	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0) {
-		double said = rotor_diameter_mm_in_text(value.text, true);
-		site->rotor = said > 0 ? said / 1000 : site->rotor;
-		return said > 0;
-	}
+	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0)
+		return fmax(rotor_diameter_mm_in_text(value.text, true), 0);
 	means |= lexicon_text_meanings(value.text, NULL);
 	double number;
 	if ((means & WORD_ROTOR) == 0 ||
 	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
 	    !read_first_number_of_cell(sheet, value, &number))
-		return false;
+		return 0;
 	double mm = number * (number < 10 ? 1000 : 1);
 	if ((means & WORD_INCH) != 0)
 		mm = 25.4 * number;
 	if (strstr(value.text, "cm") != NULL || strstr(key.text, "cm") != NULL)
 		mm = 10 * number;
-	if (mm < 100 || mm > 5000)
-		return false;
-	site->rotor = mm / 1000;
-	return true;
+	return mm < 100 || mm > 5000 ? 0 : mm;
+}
+
+/* Takes the rotor's diameter if a key and value state it. */
+static bool
+site_heading_parse_rotor(struct site *site, const struct sheet *sheet,
+    struct cell key, struct cell value)
+{
+	double mm = rotor_mm_of_key(sheet, key, value);
+	site->rotor = mm > 0 ? mm / 1000 : site->rotor;
+	return mm > 0;
 }
 
 /* Takes a speed in m/s or rpm (0: not stated).  If another one was taken
@@ -266,17 +269,15 @@ set_site_field_from_next_key(struct site *site, struct sheet *sheet,
 	size_t n = next_key_and_value(row, at, &key, &value, &third, &copy);
 	if (n == 0)
 		return false;
-	size_t colon = strlen(key.text);
-	FREED char *bare = xstrndup(key.text,
-	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
-	enum lexicon_key k = lexicon_site_key_of_text(bare);
+	enum lexicon_key k = lexicon_site_key_of_text(key.text);
 	if (n == 1 && k == N_KEY && begins_with_site_key(key.text)) {
 		report_key_without_value(sheet, key);
 	} else if (n > 2 && k < N_KEY) {
 		sheet_report_expected(sheet, third,
 		    "the end of the line after key and value",
-		    "quote a value that contains the separator, or begin a "
-		    "remark with #; with decimal commas, separate the cells "
+		    "quote a value that contains the separator, begin a remark "
+		    "with #, or put names of single products directly above "
+		    "the headings; with decimal commas, separate the cells "
 		    "with ;");
 	} else if (k < N_KEY && seen[k] > 0) {
 		sheet_report_fault(sheet, key,
@@ -325,24 +326,50 @@ site_heading_read(const struct layout *layout, struct sheet *sheet,
 				;
 }
 
+/* Returns the rotor's diameter, mm, that a line states in words or, if it has
+ * none, as the value of a key; 0 if it states none, -1 if two differ. */
+static double
+rotor_mm_of_line(const struct sheet *sheet, const struct row *row)
+{
+	FREED char *line = xstrdup(""), *copy = NULL;
+	struct cell key, value, third;
+	size_t at = 0;
+	for (size_t c = 0; c < row->n; c++)
+		xappend_to_list(&line, ", ", "%s", row->cell[c].text);
+	double mm = rotor_diameter_mm_in_text(line, false);
+	bool pair =
+	    mm == 0 &&
+	    next_key_and_value(row, &at, &key, &value, &third, &copy) == 2 &&
+	    lexicon_site_key_of_text(key.text) == N_KEY;
+	return pair ? rotor_mm_of_key(sheet, key, value) : mm;
+}
+
 void
-site_heading_merge_rotor(
-    const struct layout *layout, struct heading_rotor *said)
+site_heading_merge_rotor(const struct layout *layout, const struct sheet *sheet,
+    struct heading_rotor *said)
 {
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
-		char *line = xstrdup("");
-		for (size_t c = 0; c < row->n; c++)
-			xappend_to_list(&line, ", ", "%s", row->cell[c].text);
-		double mm = rotor_diameter_mm_in_text(line, false);
-		free(line);
-		bool differs = mm < 0 || said->mm < 0 ||
-			       (said->mm > 0 && fabs(mm - said->mm) > 0.5);
-		if (mm == 0)
-			continue;
-		said->line = said->mm == 0 ? row->line : said->line;
-		said->mm = differs ? -1 : mm;
+		double mm = rotor_mm_of_line(sheet, row);
+		if (mm != 0 && said->line == 0) {
+			said->mm = mm;
+			said->line = row->line;
+		}
+		if (mm != 0 && said->other_line == 0 &&
+		    (mm < 0 || fabs(mm - said->mm) > 0.5)) {
+			said->other_mm = mm;
+			said->other_line = row->line;
+		}
 	}
+}
+
+char *
+site_heading_rotors_text(const struct heading_rotor *said)
+{
+	if (said->other_mm < 0)
+		return xasprintf(tr("several in line %d"), said->other_line);
+	return xasprintf(tr("%g mm in line %d and %g mm in line %d"), said->mm,
+	    said->line, said->other_mm, said->other_line);
 }
 
 char *

@@ -25,17 +25,22 @@ bool site_heading_speed_of_line(const struct sheet *sheet,
  * ways.  The caller frees it. */
 char *site_heading_date_of_line(const struct row *row);
 
-/* The rotor's diameter, mm, stated in lines outside the tables; 0 if none
- * states it, -1 if two differ.  line: the first that states it. */
+/* The rotor's diameter, mm, stated in lines outside the tables, and the first
+ * line that states it, or 0.  other_mm, other_line: the first that differs from
+ * it, or 0; -1 mm if this line itself states several. */
 struct heading_rotor {
-	double mm;
-	int line;
+	double mm, other_mm;
+	int line, other_line;
 };
 
 /* Updates *said, which may have a diameter from earlier layouts, with the
  * diameters stated in the lines of this one. */
-void site_heading_merge_rotor(
-    const struct layout *layout, struct heading_rotor *said);
+void site_heading_merge_rotor(const struct layout *layout,
+    const struct sheet *sheet, struct heading_rotor *said);
+
+/* Returns "840 mm in line 2 and 900 mm in line 3" if two differ.  The caller
+ * frees it. */
+char *site_heading_rotors_text(const struct heading_rotor *said);
 
 /* Returns the name of a file without folder and extension, with "_" for each
  * byte that cannot be written to a sheet.  The caller frees it. */

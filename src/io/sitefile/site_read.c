@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/layout_long.h"
 #include "io/sitefile/classify.h"
 #include "io/sitefile/column_header.h"
@@ -731,10 +732,27 @@ check_speed_given_for_file(const struct columns *all, size_t i, double given)
 		FREED char *wanted = xasprintf(
 		    tr("a product at %g m/s, as after the file's name"), given);
 		sheet_report_expected(c->table->sheet, c->head, wanted,
-		    "leave out @%g to take the speed of the sheet, %g m/s",
-		    given, c->speed);
+		    "leave out that speed to take the sheet's, %g m/s",
+		    c->speed);
 		return;
 	}
+}
+
+/* Returns the rotor's diameter, m, or 0: the sheet's or, for cuts, that of their
+ * site. */
+static double
+rotor_of_reading(const struct reading *r)
+{
+	return r->site->rotor > 0 ? r->site->rotor : r->request->site_rotor;
+}
+
+/* Returns the speed given for a file, m/s, or 0. */
+static double
+given_speed(const struct reading *r, size_t file)
+{
+	double given = r->request->speed != NULL ? r->request->speed[file] : 0;
+	return given < 0 ? rotor_speed_from_rpm(-given, rotor_of_reading(r))
+			 : given;
 }
 
 static void
@@ -743,9 +761,9 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 {
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
-	double rotor = r->site->rotor > 0 ? r->site->rotor : q->site_rotor;
-	struct surroundings near = {
-	    .rotor = rotor, .told = r->columns.others, .samples = &r->samples};
+	struct surroundings near = {.rotor = rotor_of_reading(r),
+	    .told = r->columns.others,
+	    .samples = &r->samples};
 	near.speed = told.differ ? 0 : told.mps;
 	near.rpm = told.differ ? 0 : told.rpm;
 	near.context = title_read_role_and_speed(
@@ -755,8 +773,11 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
 		r->open.other = t;
-	if (given > 0)
-		near.speed = given;
+	if (given != 0) {
+		near.speed = fmax(given, 0);
+		near.rpm = fmax(-given, 0);
+		r->open.rotor = r->open.rotor || (given < 0 && near.rotor == 0);
+	}
 	bool named = read_speed_from_file_name(q, q->path[page->file], &near);
 	uint64_t sieve = samples_set_column_headings(&r->columns, t);
 	if (!layout_long_to_wide(t, sieve)) {
@@ -778,11 +799,11 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	classify_columns(t, &near, &r->all, r->site);
-	check_speed_given_for_file(&r->all, first, given);
+	check_speed_given_for_file(&r->all, first, given_speed(r, page->file));
 	if (named)
 		note_speed_of_file_name(r, q->path[page->file], first);
 	bool lone = q->feed && r->all.n == first + 1;
-	for (size_t i = first; (given > 0 || q->parts || lone) && i < r->all.n;
+	for (size_t i = first; (given != 0 || q->parts || lone) && i < r->all.n;
 	     i++)
 		if (r->all.column[i].role == NO_ROLE)
 			r->all.column[i].role = lone ? FEED : PRODUCT;
@@ -889,11 +910,13 @@ check_sieve_table_found(struct reading *r)
 /* Takes the rotor's diameter from the options, else from a key, else from
  * titles and remarks; from none if the lines of the sheet disagree. */
 static void
-set_rotor_of_site(struct reading *r, const struct heading_rotor *said)
+set_rotor_of_site(struct reading *r)
 {
-	if (r->request->rotor > 0 || said->mm < 0)
+	const struct heading_rotor *said = &r->open.stated;
+	bool differ = said->other_line > 0;
+	if (r->request->rotor > 0 || differ)
 		r->site->rotor = r->request->rotor;
-	if (r->site->rotor > 0 || !(said->mm > 0))
+	if (r->site->rotor > 0 || differ || !(said->mm > 0))
 		return;
 	r->site->rotor = said->mm / 1000;
 	xappend_to_list(&r->site->remark, "; ",
@@ -906,8 +929,6 @@ set_rotor_of_site(struct reading *r, const struct heading_rotor *said)
 static void
 note_speeds_from_rpm(struct reading *r)
 {
-	double rotor =
-	    r->site->rotor > 0 ? r->site->rotor : r->request->site_rotor;
 	FREED char *rpm = xstrdup(""), *mps = xstrdup("");
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
@@ -922,24 +943,40 @@ note_speeds_from_rpm(struct reading *r)
 	if (rpm[0] != '\0')
 		xappend_to_list(&r->site->remark, "; ",
 		    tr("%s rpm, rotor of %g mm, read as %s m/s"), rpm,
-		    1000 * rotor, mps);
+		    1000 * rotor_of_reading(r), mps);
+}
+
+/* Notes, unless another site's rotor serves, that lines which differ leave the
+ * rotor unknown. */
+static void
+note_differing_rotors(struct reading *r)
+{
+	const struct site_request *q = r->request;
+	if (r->site->rotor > 0 || r->open.stated.other_line == 0 || q->parts ||
+	    q->feed)
+		return;
+	FREED char *rotors = site_heading_rotors_text(&r->open.stated);
+	xappend_to_list(&r->site->remark, "; ",
+	    tr("rotor diameter not taken, got %s: load with "
+	       "rotor_mm=DIAMETER to state it"),
+	    rotors);
 }
 
 static void
 read_all_tables(struct reading *r)
 {
-	struct heading_rotor rotor = {0};
 	for (size_t i = 0; i < r->n_page; i++)
 		title_move_lines_to_headings(r->page[i].layout);
 	for (size_t i = 0; i < r->n_page; i++)
-		site_heading_merge_rotor(r->page[i].layout, &rotor);
+		site_heading_merge_rotor(
+		    r->page[i].layout, r->page[i].sheet, &r->open.stated);
 	for (size_t i = 0; i < r->n_page; i++) {
 		const struct page *page = &r->page[i];
 		struct heading_speed told = {0};
 		if (page->layout->n == 0)
 			continue;
 		site_heading_read(page->layout, page->sheet, r->site, &told);
-		set_rotor_of_site(r, &rotor);
+		set_rotor_of_site(r);
 		if (title_has_speed_per_table(page->layout))
 			told = (struct heading_speed){0};
 		for (size_t b = 0;
@@ -1045,8 +1082,7 @@ file_index_of_column(const struct reading *r, const struct column *c)
 static void
 set_feed_speeds_from_files(struct reading *r)
 {
-	const double *speed = r->request->speed;
-	bool several = false, all = speed != NULL;
+	bool several = false, all = true;
 	const struct column *first = NULL;
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
@@ -1055,12 +1091,12 @@ set_feed_speeds_from_files(struct reading *r)
 		first = first != NULL ? first : c;
 		several = several || file_index_of_column(r, c) !=
 					 file_index_of_column(r, first);
-		all = all && speed[file_index_of_column(r, c)] > 0;
+		all = all && given_speed(r, file_index_of_column(r, c)) > 0;
 	}
 	for (size_t i = 0; i < r->all.n && several && all; i++) {
 		struct column *c = &r->all.column[i];
 		if (c->role == FEED && !(c->speed > 0))
-			c->speed = speed[file_index_of_column(r, c)];
+			c->speed = given_speed(r, file_index_of_column(r, c));
 	}
 }
 
@@ -1259,7 +1295,7 @@ did_user_supply_information(const struct site_request *q)
 	bool told = q->columns != NULL || q->samples != NULL || q->rotor > 0 ||
 		    q->decimal != '\0';
 	for (size_t i = 0; i < q->n && q->speed != NULL; i++)
-		told = told || q->speed[i] > 0;
+		told = told || q->speed[i] != 0;
 	return told;
 }
 
@@ -1279,6 +1315,7 @@ finish_site_reading(struct reading *r)
 	}
 	r->site->told = did_user_supply_information(q);
 	note_speeds_from_rpm(r);
+	note_differing_rotors(r);
 	make_runs_of_site(r->site, &r->all);
 	if (q->parts) {
 		note_days_of_cuts(r);

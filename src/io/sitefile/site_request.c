@@ -1,12 +1,48 @@
-/* Converts ranges of cells to and from text, and frees questions.
+/* Converts requests and ranges of cells to text, and frees questions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_request.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/cells/sheet.h"
+
+char *
+site_request_file_text(const struct site_request *q, size_t i)
+{
+	double given = q->speed != NULL ? q->speed[i] : 0;
+	char number[32];
+	if (given == 0)
+		return xstrdup(q->path[i]);
+	return xasprintf("%s@%s%s", q->path[i],
+	    text_shortest_exact_number(fabs(given), number),
+	    given < 0 ? "rpm" : "");
+}
+
+char *
+site_request_options_text(const struct site_request *q)
+{
+	char *text = xstrdup(""), number[32];
+	if (q->columns != NULL)
+		xappend(&text, " columns=\"%s\"", q->columns);
+	if (q->samples != NULL)
+		xappend(&text, " samples=\"%s\"", q->samples);
+	if (q->sheet != NULL)
+		xappend(&text, " sheet=\"%s\"", q->sheet);
+	if (q->range != NULL)
+		xappend(&text, " range=%s", q->range);
+	if (q->decimal != '\0')
+		xappend(&text, " decimal=%s",
+		    q->decimal == ',' ? "comma" : "point");
+	if (q->rotor > 0)
+		xappend(&text, " rotor_mm=%.15g", 1000 * q->rotor);
+	if (q->top > 0)
+		xappend(&text, " top=%s",
+		    text_shortest_exact_number(q->top, number));
+	return text;
+}
 
 char *
 cell_range_text(struct cell_range box)

@@ -12,8 +12,8 @@ struct cell_range {
 };
 
 /* The files [n] to read as one site, and options, which are NULL or 0 if not
- * given.  speed [n]: the tip speed of the samples in each file, m/s; 0: the
- * sheet states it.  columns: "1=sieve mm, 3=feed retained_g", by number from 1
+ * given.  speed [n]: the speed of the samples in each file: tip speed, m/s; or
+ * below 0: rpm; or 0: the sheet states it.  columns: "1=sieve mm, 3=feed retained_g", by number from 1
  * (of lines if the sieves are in one line); samples: "S01=feed, S02=@70", by
  * name.  Columns and samples that are not named there are not read.  range:
  * "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  top: the size, mm, that
@@ -55,6 +55,14 @@ struct site_ask {
 	double further;
 	bool across, by_sample, tables, no_feed, no_product;
 };
+
+/* Returns file i with the speed given for it, "cut.csv@70" or
+ * "cut.csv@1650rpm".  The caller frees it. */
+char *site_request_file_text(const struct site_request *q, size_t i);
+
+/* Returns the options of a request as one would type them, " sheet=\"B\"
+ * top=16".  The caller frees it. */
+char *site_request_options_text(const struct site_request *q);
 
 /* Parses "A3:F20".  Returns false for any other form. */
 bool cell_range_parse(const char *text, struct cell_range *box);
