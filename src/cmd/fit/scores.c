@@ -421,9 +421,8 @@ note_error_at_held_out_run(
 		    100 * rmse_without_worst_sieve(v));
 	if (v->n_left_out > 0)
 		answer_add_sentence(r, ANSWER_REMARK,
-		    "  %zu finer sieves are not compared: the feed was not "
-		    "sieved so fine",
-		    v->n_left_out);
+		    "  finer sieves are not compared: the feed was not sieved "
+		    "so fine");
 }
 
 struct answer *
