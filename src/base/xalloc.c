@@ -132,6 +132,16 @@ xappend_to_list(char **list, const char *separator, const char *format, ...)
 	va_end(ap);
 }
 
+void
+xend_list_with(char **list, const char *word)
+{
+	char *last = strrchr(*list, ',');
+	if (last == NULL)
+		return;
+	*last = '\0';
+	xfree_and_set(list, xasprintf("%s%s%s", *list, word, last + 2));
+}
+
 double *
 xcalloc_doubles(size_t n)
 {

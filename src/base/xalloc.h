@@ -36,11 +36,13 @@ void xfree_at(void *pointer);
 void xfree_and_set(char **text, char *value);
 
 /* Append to a text that one of the functions above returned.  xappend_to_list
- * adds the separator first if the list is not empty. */
+ * adds the separator first if the list is not empty.  xend_list_with puts a
+ * word such as " and " in place of the last comma. */
 void xappend(char **text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void xappend_to_list(char **list, const char *separator, const char *format,
     ...) __attribute__((format(printf, 3, 4)));
+void xend_list_with(char **list, const char *word);
 
 /* Returns zeroed doubles at an address that is a multiple of 64 bytes, for the
  * kernels. */

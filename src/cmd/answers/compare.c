@@ -21,6 +21,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/feed.h"
+#include "cmd/ask/outlook.h"
 #include "core/answer/predict.h"
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
@@ -298,6 +299,7 @@ note_basis_and_trust_of_both_sides(
 	    trust_in_answer_or_fit(s, side[0].entry, &side[0].p);
 	trust_replace_if_worse(
 	    &light, trust_in_answer_or_fit(s, side[1].entry, &side[1].p));
+	correction_note_unless_all(r, s, side[0].entry);
 	for (size_t i = 0; i < 2; i++) {
 		const struct question q = question_of_whole_product(
 		    s, side[i].entry, side[i].p.feed_run);

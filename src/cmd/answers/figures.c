@@ -116,7 +116,7 @@ cmd_figures(struct session *s, const struct args *args,
 		note_ranges_of_new_cut(r, s, question, q, n);
 	if (sure != NULL) {
 		answer_note(r, "%s", sure);
-		band = predict_should_note_correction(s, entry);
+		band = !entry->has_fit;
 	}
 	answers_note_basis_and_trust(s, r, question, v, band, trust);
 	forecast_close(all);

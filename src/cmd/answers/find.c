@@ -15,6 +15,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "core/answer/predict.h"
 #include "core/psd/rotor_speed.h"
@@ -649,6 +650,7 @@ note_basis_and_trust_at_found_speed(
 	bool found = !isnan(goal->speed);
 	double shown = found ? goal->speed : speed_nearest_to_goal(goal);
 	struct trust light = trust_at_speed(s, q->entry, shown, q->feed);
+	correction_note_unless_all(r, s, q->entry);
 	answers_note_basis_without_trust(
 	    s, r, q, found ? shown : 0, NULL, &light);
 	trust_add_to_answer_at_speed(

@@ -175,15 +175,11 @@ append_break_sizes(char **text, const struct findings *f, bool sharp)
 	FREED char *speeds = xstrdup(""), *sizes = xstrdup(""),
 		   *fits = xstrdup(""), *turns = xstrdup(""),
 		   *rpm = xstrdup("");
-	size_t n = 0, left = 0;
-	for (size_t i = 0; i < f->n_speed; i++)
-		left += is_break_size_precise(f, i) == sharp;
 	for (size_t i = 0; i < f->n_speed; i++) {
 		if (is_break_size_precise(f, i) != sharp)
 			continue;
-		const char *between = ++n == left ? tr(" and ") : ", ";
-		xappend_to_list(&speeds, between, "%g", f->speed[i]);
-		xappend_to_list(&turns, between, "%.0f",
+		xappend_to_list(&speeds, ", ", "%g", f->speed[i]);
+		xappend_to_list(&turns, ", ", "%.0f",
 		    rotor_speed_to_rpm(f->speed[i], f->rotor));
 		xappend_to_list(&sizes, ", ", "%.2f +- %.2f",
 		    1000 * f->at[i].mean, 1000 * f->at[i].sd);
@@ -191,9 +187,11 @@ append_break_sizes(char **text, const struct findings *f, bool sharp)
 		    1000 * params_break_size_by_impacts(
 			       &f->p->fit, &f->p->settings, f->speed[i]));
 	}
+	xend_list_with(&speeds, tr(" and "));
+	xend_list_with(&turns, tr(" and "));
 	if (f->rotor > 0)
 		xfree_and_set(&rpm, xasprintf(tr(" (%s rpm)"), turns));
-	if (left > 0)
+	if (speeds[0] != '\0')
 		xappend_to_list(text, "; ",
 		    sharp ? tr("the data fix the break size at %s m/s%s: %s mm "
 			       "in the draws, %s by the fit")
@@ -207,22 +205,22 @@ append_params_by_identifiability(
     char **text, const struct findings *f, enum identify_grade grade)
 {
 	FREED char *names = xstrdup("");
-	size_t n = 0, left = 0;
-	for (size_t j = 0; j < f->of->n; j++)
-		left += f->param[j].grade == grade;
-	for (size_t j = 0; j < f->of->n; j++)
-		if (f->param[j].grade == grade)
-			xappend_to_list(&names,
-			    ++n == left ? tr(" and ") : ", ", "%s",
-			    f->of->parameter[j].name);
-	if (left > 0)
+	size_t n = 0;
+	for (size_t j = 0; j < f->of->n; j++) {
+		if (f->param[j].grade != grade)
+			continue;
+		xappend_to_list(&names, ", ", "%s", f->of->parameter[j].name);
+		n++;
+	}
+	xend_list_with(&names, tr(" and "));
+	if (n > 0)
 		xappend_to_list(text, "; ",
 		    grade == IDENTIFY_NOT
-			? tr_n("%s cannot be told", "%s cannot be told", left)
+			? tr_n("%s cannot be told", "%s cannot be told", n)
 		    : grade == IDENTIFY_POORLY
 			? tr_n("%s is determined poorly",
-			      "%s are determined poorly", left)
-			: tr_n("%s is determined", "%s are determined", left),
+			      "%s are determined poorly", n)
+			: tr_n("%s is determined", "%s are determined", n),
 		    names);
 }
 

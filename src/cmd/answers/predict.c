@@ -349,13 +349,6 @@ note_sieves_limited_by_feed(struct answer *r, const struct session *s,
 		    "measured at this speed, below the band: %s", below);
 }
 
-bool
-predict_should_note_correction(
-    const struct session *s, const struct entry *entry)
-{
-	return correction_in_use(s, entry) != CORRECTION_ALL || !entry->has_fit;
-}
-
 char *
 predict_probability_text(double level)
 {
@@ -444,17 +437,6 @@ append_whether_measured_in_range(const struct session *s,
 	    quantities_decimals(of), measured, mean);
 }
 
-/* Returns "8 times in 10", with a condition where the light is red, because
- * what the band allows for is not all that can be wrong there. */
-static char *
-chance_words(double level, enum light light)
-{
-	FREED char *chance = predict_probability_text(level);
-	return light == LIGHT_RED
-		   ? xasprintf(tr("if the model holds, %s"), chance)
-		   : xstrdup(chance);
-}
-
 char *
 predict_certainty_text(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, enum light light)
@@ -469,7 +451,11 @@ predict_certainty_text(const struct session *s, const struct question *q,
 	forecast_close(f);
 	if (isnan(value) || isnan(answer.low) || isnan(sample.low))
 		return NULL;
-	FREED char *chance = chance_words(q->level, light);
+	/* What the band allows for is not all that can be wrong where the light
+	 * is red. */
+	FREED char *often = predict_probability_text(q->level);
+	FREED char *chance = xasprintf(
+	    light == LIGHT_RED ? tr("if the model holds, %s") : "%s", often);
 	FREED char *said = quantities_sentence_with_value(of, value);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, speed, NAN);
@@ -587,9 +573,7 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	struct question at = *q;
 	at.moved = largest_shown_change_by_feed_move(s, q, p, between != NULL);
 	answers_note_basis_and_trust(s, r, &at, p->speed,
-	    p->low != NULL &&
-		(detail || predict_should_note_correction(s, entry)),
-	    trust);
+	    p->low != NULL && (detail || !entry->has_fit), trust);
 	return r;
 }
 

@@ -42,8 +42,4 @@ char *predict_probability_text(double level);
 char *predict_certainty_text(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, enum light light);
 
-/* True if an answer should say what corrects the model. */
-bool predict_should_note_correction(
-    const struct session *s, const struct entry *entry);
-
 #endif

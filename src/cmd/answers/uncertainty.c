@@ -403,7 +403,7 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 		answer_drop_table_for_programs(r);
 	screened_note_share(r, at);
 	screened_put_fraction_fields(answer_json_fields(r), at);
-	if (detail)
+	if (detail && correction_in_use(s, entry) == CORRECTION_ALL)
 		answer_note(r, "%s", correction_in_words(s, entry));
 	put_hyperparameter_fields(r, s, p, detail);
 	note_draws_with_two_strengths(r, p, detail);

@@ -301,7 +301,8 @@ note_origin_of_parameters(const struct explained *a, bool green)
 	for (size_t j = 0; j < of->n; j++)
 		if (fit_is_param_poorly_determined(fit, j))
 			xappend_to_list(
-			    &flat, tr(" and "), "%s", of->parameter[j].name);
+			    &flat, ", ", "%s", of->parameter[j].name);
+	xend_list_with(&flat, tr(" and "));
 	if (flat[0] != '\0')
 		answer_note(a->answer,
 		    green

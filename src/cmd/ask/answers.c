@@ -441,6 +441,8 @@ answers_note_basis_and_trust(const struct session *s, struct answer *r,
 {
 	if (band)
 		band_note_meaning(r, s, q->entry, true);
+	else
+		correction_note_unless_all(r, s, q->entry);
 	answers_note_basis_without_trust(s, r, q, speed, NULL, &light);
 	trust_add_to_answer(r, light);
 }

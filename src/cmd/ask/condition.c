@@ -17,6 +17,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/trust_light.h"
+#include "cmd/ask/outlook.h"
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
@@ -919,6 +920,7 @@ conditions_note_basis_and_trust(struct answer *r, const struct question *q,
 		answers_note_basis_and_trust(s, r, q, speed, false, light);
 		return;
 	}
+	correction_note_unless_all(r, s, q->entry);
 	answers_note_basis_without_trust(s, r, q, speed, NULL, &light);
 	for (size_t k = 0; k < 2; k++) {
 		FREED char *words =

@@ -370,19 +370,6 @@ band_set_error_missing(
 					     : tr("'set' shows the settings"));
 }
 
-/* True if more runs inform the answers than the draws can use. */
-static bool
-has_more_runs_than_posterior_uses(
-    const struct session *s, const struct entry *entry)
-{
-	const struct history *h = entry->origin->history;
-	size_t place, n = 0;
-	FREED bool *use = mark_runs_that_inform_answers(s, entry, &place);
-	for (size_t r = 0; r < h->site->n_run; r++)
-		n += use[r];
-	return n > POSTERIOR_RUNS;
-}
-
 const char *
 correction_name(const struct session *s, const struct entry *entry)
 {
@@ -399,7 +386,12 @@ correction_in_words(const struct session *s, const struct entry *entry)
 {
 	if (posterior_unless_correction_off(s, entry) == NULL)
 		return tr("the model alone");
-	if (has_more_runs_than_posterior_uses(s, entry))
+	const struct site *site = entry->origin->history->site;
+	size_t place, n = 0;
+	FREED bool *use = mark_runs_that_inform_answers(s, entry, &place);
+	for (size_t r = 0; r < site->n_run; r++)
+		n += use[r];
+	if (n > POSTERIOR_RUNS)
 		return tr("model corrected by 40 of the runs, from the "
 			  "slowest to the fastest");
 	bool former = entry->has_fit &&
@@ -421,6 +413,15 @@ correction_legend_text(const struct session *s, const struct entry *entry,
 	enum correction asked = correction_in_use(s, entry);
 	return p->low != NULL || asked == CORRECTION_OFF ? tr(WORDS[asked])
 							 : "";
+}
+
+void
+correction_note_unless_all(
+    struct answer *r, const struct session *s, const struct entry *entry)
+{
+	if (correction_in_use(s, entry) != CORRECTION_ALL)
+		answer_add_sentence(
+		    r, ANSWER_REMARK, "%s", correction_in_words(s, entry));
 }
 
 void

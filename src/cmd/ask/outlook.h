@@ -104,6 +104,10 @@ const char *correction_name(const struct session *s, const struct entry *entry);
 const char *correction_in_words(
     const struct session *s, const struct entry *entry);
 
+/* Notes which runs correct the model, unless all do. */
+void correction_note_unless_all(
+    struct answer *r, const struct session *s, const struct entry *entry);
+
 /* Notes what low and high mean for parameters or a product and, for a product,
  * which runs correct the model.  With another site's parameters, the range
  * shows how uncertain they are there, not how the two sites differ. */

@@ -240,18 +240,6 @@ rmse_without_worst_sieve(const struct validation *v)
 	return sqrt(fmax(square, 0) / (n - 1));
 }
 
-/* True if the error at the worst sieve far exceeds that of the others and
- * sampling errors.  That suggests a typing error: an error of the model shows
- * on several sieves. */
-static bool
-is_worst_sieve_outlier(const struct validation *v)
-{
-	const double times = 4, least = 0.03;
-	double worst = fabs(v->worst_difference);
-	return v->n_sieve - v->n_idle > 3 && worst > least &&
-	       worst > times * rmse_without_worst_sieve(v);
-}
-
 /* The way that predicts best.  worse: it is neither the model nor the corrected
  * answer.  clearly: the difference exceeds sampling errors. */
 struct winner {
@@ -413,17 +401,21 @@ note_error_at_held_out_run(
 		    "  no band: the fit is poor, and two speeds do not show "
 		    "how its error changes with the speed");
 	note_why_not_interpolated(r, item);
-	if (is_worst_sieve_outlier(v))
+	/* An error that far exceeds those of the other sieves suggests a typing
+	 * error: an error of the model shows on several sieves. */
+	const double times = 4, least = 0.03;
+	double worst = fabs(v->worst_difference),
+	       others = rmse_without_worst_sieve(v);
+	if (v->n_sieve - v->n_idle > 3 && worst > least &&
+	    worst > times * others)
 		answer_add_sentence(r, ANSWER_REMARK,
 		    "  %g mm stands out (the other sieves: %.2f points on "
 		    "average): check that cell",
-		    units_m_to_mm(v->worst_sieve),
-		    100 * rmse_without_worst_sieve(v));
+		    units_m_to_mm(v->worst_sieve), 100 * others);
 	if (v->n_left_out > 0)
 		answer_add_sentence(r, ANSWER_REMARK,
-		    "  %zu finer sieves are not compared: the feed was not "
-		    "sieved so fine",
-		    v->n_left_out);
+		    "  finer sieves are not compared: the feed was not sieved "
+		    "so fine");
 }
 
 struct answer *

@@ -30,14 +30,14 @@ const struct usage_option USAGE_OPTIONS[] = {
     {'V', "version", NULL, NULL, "show the version"}, {.code = 0}};
 
 const struct usage_word USAGE_ENVIRONMENT[] = {
-    {"TIPSPEED_COLOR", "Colour at the prompt, unless --color is given: auto, "
-		       "always or never."},
+    {"TIPSPEED_COLOR", "Colour at the prompt and in plots: auto, always or "
+		       "never; --color overrides it."},
     {"NO_COLOR", "If set and not empty, turns colour off unless --color or "
 		 "TIPSPEED_COLOR overrides it."},
     {"TERM", "Type of the terminal. With dumb there is no colour and no pager; "
-	     "with dumb, and on the Linux console, plots are drawn in ASCII."},
-    {"COLORTERM",
-	"If truecolor or 24bit, plots have 256 colours, whatever TERM is."},
+	     "with dumb, linux, vt100 and the like, plots are in ASCII."},
+    {"COLORTERM", "If truecolor or 24bit, colour plots have 256 colours, "
+		  "whatever TERM is."},
     {"TIPSPEED_PAGER", "Program that shows results longer than the screen; if "
 		       "empty, none is used."},
     {"PAGER", "The same, if TIPSPEED_PAGER is not set."},
@@ -50,8 +50,9 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"SOURCE_DATE_EPOCH",
 	"Seconds since 1970: the date to use as today's, so that repeated "
 	"output is identical; default: the clock."},
-    {"XDG_STATE_HOME", "Folder of tipspeed/history, the lines typed at the "
-		       "prompt; default .local/state in HOME."},
+    {"XDG_STATE_HOME",
+	"Folder of tipspeed/history, the lines typed at the prompt, and of "
+	"unsaved sessions; default .local/state in HOME."},
     {"XDG_CONFIG_HOME", "Folder of tipspeed/init.tip, the commands run before "
 			"the first prompt; default .config in HOME."},
     {"XDG_DATA_HOME", "Folder of tipspeed/store.db, the remembered "

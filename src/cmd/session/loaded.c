@@ -278,8 +278,8 @@ origin_training_speeds_text(const struct origin *o)
 		return xstrdup(tr("set by hand"));
 	FREED char *speeds = xstrdup("");
 	for (size_t i = 0; i < o->n_speed; i++)
-		xappend_to_list(&speeds,
-		    i + 1 < o->n_speed ? ", " : tr(" and "), "%g", o->speed[i]);
+		xappend_to_list(&speeds, ", ", "%g", o->speed[i]);
+	xend_list_with(&speeds, tr(" and "));
 	char *text = o->n_speed > 0 ? xasprintf(tr("trained at %s m/s"), speeds)
 				    : xstrdup(tr("training speeds not known"));
 	const char *kind = tr(site_data_kind(o->provenance));

@@ -126,9 +126,8 @@ check_product_against_feed(
 		    100 * c.farthest);
 	if (run->product.n > c.compared)
 		finding(r, entry, false, where,
-		    "%zu product sieves finer than the feed's finest sieve are "
-		    "not compared (%g mm and below)",
-		    run->product.n - c.compared,
+		    "the product's sieves of %g mm and finer are not compared: "
+		    "the feed was not sieved so fine",
 		    units_m_to_mm(run->product.size[c.compared]));
 	if (run->product.n == 0)
 		finding(r, entry, false, where,

@@ -148,8 +148,10 @@ largest_difference_of_draw_halves(const struct evidence *e,
     const struct posterior *p, const struct site *site, const double *sieve,
     size_t n)
 {
-	struct ensemble *of =
-	    ensemble_new(p, site_feed_of_run(site, SITE_MEAN_FEED), sieve, n);
+	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
+	while (!psd_covers_size(feed, sieve[n - 1]))
+		n--;
+	struct ensemble *of = ensemble_new(p, feed, sieve, n);
 	double most = 0;
 	for (int i = 0; i <= 2; i++)
 		most = fmax(
