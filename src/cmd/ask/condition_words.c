@@ -35,19 +35,38 @@ separate_quantity_from_value(struct words *words, size_t i)
 	words_replace_by_one(words, i, 1, apart);
 }
 
+static bool
+is_beginning_of_condition(const char *word)
+{
+	FREED char *with = xasprintf("%s ", word);
+	size_t which;
+	bool most;
+	return quantities_is_beginning_of_text(word) ||
+	       conditions_parse_max_or_min(with, &most) != NULL ||
+	       text_find_word_in_list("at under below finer", word, &which);
+}
+
+/* If "and" and a condition follow word i, puts a comma in the place of "and".
+ */
+static void
+replace_and_by_comma(struct words *words, size_t i)
+{
+	if (i + 2 >= words->n ||
+	    !text_is_same_folded(words->text[i + 1], "and") ||
+	    !is_beginning_of_condition(words->text[i + 2]))
+		return;
+	FREED char *with = xasprintf("%s,", words->text[i]);
+	words_replace_by_one(words, i, 2, with);
+}
+
 /* True if a word continues the condition before it. */
 static bool
 does_word_continue_condition(
     const struct command *command, const char *before, const char *word)
 {
-	FREED char *with = xasprintf("%s ", word);
-	size_t which;
-	bool most, begins = quantities_is_beginning_of_text(word) ||
-			    conditions_parse_max_or_min(with, &most) != NULL ||
-			    text_find_word_in_list(
-				"at under below finer", word, &which);
 	return !is_option_word(command, word) && strchr(word, ' ') == NULL &&
-	       !(begins && conditions_is_likely_complete(before));
+	       !(is_beginning_of_condition(word) &&
+		   conditions_is_likely_complete(before));
 }
 
 /* Returns the index of the first word of a condition, or 0 if the command
@@ -165,8 +184,10 @@ void
 conditions_join_words(struct words *words)
 {
 	size_t from = find_first_condition_word(words);
-	for (size_t i = from; i > 0 && i < words->n; i++)
+	for (size_t i = from; i > 0 && i < words->n; i++) {
+		replace_and_by_comma(words, i);
 		separate_quantity_from_value(words, i);
+	}
 	if (words->command != NULL &&
 	    (from == 0 || !has_limit_among_words(words)))
 		join_quantities_to_option(words);

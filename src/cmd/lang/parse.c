@@ -386,7 +386,8 @@ hint_decimal_format(
 	char *dash = copy[0] != '\0' ? strchr(copy + 1, '-') : NULL;
 	double low, high;
 	strip_unit(copy, option->unit);
-	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
+	if (strcmp(option->unit, "m/s") == 0 &&
+	    strspn(word, "0123456789") > 0 && strstr(word, "rpm") != NULL) {
 		error_set_hint(
 		    error, RPM_HINT, (int)strspn(word, "0123456789."), word);
 	} else if (comma != NULL) {
@@ -764,23 +765,25 @@ check_operand_is_no_option(
 	size_t n = strcspn(word, "=");
 	FREED char *cut = xstrndup(word, n),
 		   *name = text_fold_case_and_accents(cut);
-	if (command_option_index(command, name) == OPTIONS)
+	size_t i = command_option_index(command, name);
+	if (i == OPTIONS)
 		return true;
 	if (word[n] == '=')
 		return error_set(error, ERROR_USAGE,
 		    "expected an option in lower case, got '%s'\n"
 		    "write %s%s",
 		    word, name, word + n);
-	return error_set(error, ERROR_USAGE,
-	    "expected a value for %s\n"
-	    "write %s=VALUE",
-	    name, name);
+	error_option_without_value(command_option_at(command, i), error);
+	return error_set_hint(error, "write %s=VALUE", name);
 }
 
 static bool
 check_number_of_operands(const struct args *args, struct error *error)
 {
+	static const char *const FILES[] = {".csv", ".xlsx", ".json", ".md",
+	    ".html", ".pdf", ".svg", ".png", ".txt"};
 	const struct command *command = args->command;
+	const char *kinds = command->operands.expect[0];
 	const char *more = args->n_operand > command->operands.most
 			       ? args->operand[command->operands.most]
 			       : NULL;
@@ -789,21 +792,30 @@ check_number_of_operands(const struct args *args, struct error *error)
 	if (more != NULL && !check_operand_is_no_option(command, more, error))
 		return false;
 	FREED char *usage = command_usage_text(command);
-	return error_set(error, ERROR_USAGE,
+	error_set(error, ERROR_USAGE,
 	    more != NULL ? N_("%s: unexpected word '%s'\n"
 			      "usage: %s")
 			 : N_("%s: expected %s\n"
 			      "usage: %s"),
 	    command->name, more != NULL ? more : command->operands.usage,
 	    usage);
+	if (more != NULL &&
+	    text_file_ending(more, FILES, ARRAY_LEN(FILES)) < ARRAY_LEN(FILES))
+		error_set_hint(error, "for a file of results write > %s", more);
+	else if (more == NULL && kinds != NULL &&
+		 islower((unsigned char)*kinds))
+		error_set_hint(error, "write one of: %s", kinds);
+	return false;
 }
 
-/* If there are spaces around =, as in "speed = 74", "speed =74" and "speed=
- * 74", replaces the hint. */
+/* If an option and its value at the column of the error are two words, as in
+ * "speed 74", or there are spaces around =, as in "speed = 74", "speed =74" and
+ * "speed= 74", replaces the hint. */
 static void
-hint_spaces_around_equals(const struct command *command,
-    const struct words *words, struct error *error)
+hint_option_in_two_words(const struct command *command,
+    const struct words *words, int column, struct error *error)
 {
+	bool set = (command->flags & COMMAND_SETTINGS) != 0;
 	for (size_t i = 2; i < words->n; i++) {
 		const char *name = words->text[i - 1], *word = words->text[i];
 		size_t n = strlen(name), signs = word[0] == '=';
@@ -813,11 +825,14 @@ hint_spaces_around_equals(const struct command *command,
 				    : i + 1 < words->n ? words->text[i + 1]
 						       : "..";
 		FREED char *key = xstrndup(name, ends ? n - 1 : n);
-		if ((signs == 1 || ends) &&
+		bool here = signs == 0 && !set &&
+			    (words->column[i - 1] == column ||
+				words->column[i] == column);
+		const char *of = here ? strchr(value, '=') : NULL;
+		if ((signs == 1 || ends || here) &&
 		    command_option_index(command, key) < OPTIONS)
-			error_set_hint(error,
-			    "write it without spaces around =: %s=%s", key,
-			    value);
+			error_set_hint(error, "write it as one word: %s=%s",
+			    key, of != NULL ? of + 1 : value);
 	}
 }
 
@@ -883,7 +898,7 @@ parse_command_words(const struct words *words, struct place place,
 		    words->command, words->text + 1, words->n - 1);
 		if (parse_command_arguments(words, args, &column, error))
 			return args->command;
-		hint_spaces_around_equals(args->command, words, error);
+		hint_option_in_two_words(args->command, words, column, error);
 	}
 	error_set_place(error, place.file, place.line, column);
 	return NULL;

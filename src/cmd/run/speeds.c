@@ -350,6 +350,24 @@ is_two_speeds(
 	return takes_list && usual;
 }
 
+/* Drops "at" before the first speed after the command's name, and the words
+ * `between` two of them. */
+static void
+drop_words_between_speeds(struct words *words, const char *between)
+{
+	bool list;
+	size_t which;
+	for (size_t i = 1; i + 1 < words->n; i++) {
+		const char *word = words->text[i], *next = words->text[i + 1];
+		if (text_find_word_in_list(
+			i == 1 ? "at" : between, word, &which) &&
+		    is_speed_or_range_or_list(next, &list))
+			words_replace_by_one(words, i, 2, next);
+		else if (!is_speed_or_range_or_list(word, &list))
+			return;
+	}
+}
+
 /* Turns "68 to 78" and "68-78" after the command's name into "68..78", but
  * leaves "66,68-78", which may be two or three speeds. */
 static void
@@ -387,10 +405,15 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	const struct command *command = words->n > 1 ? words->command : NULL;
 	const struct command *lister =
 	    command != NULL ? command_find_by_options(command, word, 1) : NULL;
-	if (lister == NULL ||
-	    command_option_index(lister, "speeds") == OPTIONS) {
-		if (command != NULL && command->bare != NULL &&
-		    strcmp(command->bare, "speed") == 0)
+	bool several =
+	    lister != NULL && command_option_index(lister, "speeds") < OPTIONS;
+	bool one = command != NULL && command->bare != NULL &&
+		   strcmp(command->bare, "speed") == 0;
+	if (several || one || (command != NULL && has_speed_operands(command)))
+		drop_words_between_speeds(
+		    words, several ? "and vs" : "and vs to");
+	if (!several) {
+		if (one)
 			is_two_speeds(s, words->text[1], command->name, false);
 		return;
 	}
