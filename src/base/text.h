@@ -21,9 +21,10 @@ bool text_parse_typed_number(const char *s, double *value);
  * one. */
 bool text_is_decimal_comma(const char *s, const char *at);
 
-/* True if the character at `at` in a list of quantities or conditions is a comma
- * within a number, not between two of them.  One before a fraction, as in
- * "p80=6,0/2>=30", is between them, unless the list begins with its number. */
+/* True if the character at `at` in a list of quantities or conditions is a
+ * comma within a number, not between two of them.  One before a fraction, as
+ * in "p80=6,0/2>=30", is between them, unless the list begins with its
+ * number. */
 bool text_is_comma_in_number(const char *list, const char *at);
 
 /* Returns the length of the first item of such a list, up to a comma or a

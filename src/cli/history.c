@@ -118,16 +118,6 @@ history_search_begin(void)
 	search.place = where_history();
 }
 
-/* Returns true if a line of the history matches the search and differs from the
- * line being edited. */
-static bool
-is_history_line_match(const char *line, bool anywhere)
-{
-	const char *found = strstr(line, search.wanted);
-	return found != NULL && (anywhere || found == line) &&
-	       strcmp(line, rl_line_buffer) != 0;
-}
-
 static rl_command_func_t history_search_prefix_backward,
     history_search_prefix_forward, history_search_anywhere_backward,
     history_search_anywhere_forward;
@@ -165,8 +155,10 @@ go_to_next_history_match(bool on, bool anywhere)
 	int step = on ? 1 : -1, place = search.place + step;
 	for (; place >= 0 && place < history_length; place += step) {
 		const HIST_ENTRY *entry = history_get(history_base + place);
-		if (entry == NULL ||
-		    !is_history_line_match(entry->line, anywhere))
+		if (entry == NULL || strcmp(entry->line, rl_line_buffer) == 0)
+			continue;
+		const char *found = strstr(entry->line, search.wanted);
+		if (found == NULL || (!anywhere && found != entry->line))
 			continue;
 		search.place = place;
 		replace_edited_line(entry->line, (int)strlen(search.wanted));

@@ -489,22 +489,15 @@ move_slider_to_typed_speed(struct tui *t, const char *text)
 		control_report_speed_off_slider(t, speed);
 }
 
-/* Returns true if a digit begins a speed.  One that opens a page does not:
- * speeds from 50 to 59 m/s need the =. */
-static bool
-is_start_of_typed_speed(const struct tui *t, int code)
-{
-	return code >= '0' && code <= '9' &&
-	       keys_find_by_code(code, t->ui.page) == NULL;
-}
-
 /* Handles a key of a typed speed, which begins with = or a digit. */
 static bool
 handle_typed_speed_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->speed;
 	bool back = code == DELETE || code == '\b';
-	if (y->n == 0 && !is_start_of_typed_speed(t, code))
+	/* A digit that opens a page begins none: 50 to 59 m/s need the =. */
+	if (y->n == 0 && (code < '0' || code > '9' ||
+			     keys_find_by_code(code, t->ui.page) != NULL))
 		return false;
 	if (code == ',')
 		code = '.';

@@ -19,20 +19,14 @@ is_lower_case_letter(int code, bool special)
 	return !special && code >= 'a' && code <= 'z';
 }
 
-static bool
-is_start_of_command(const char *letters)
-{
-	FREED char *names = command_names_beginning_with(letters);
-	return names[0] != '\0';
-}
-
 bool
 word_open_cmdline_on_two_letters(struct tui *t, int code, bool special)
 {
 	struct held_letter *w = &t->word;
 	const char both[] = {w->letter, (char)code, '\0'};
+	FREED char *names = command_names_beginning_with(both);
 	if (w->letter == '\0' || !is_lower_case_letter(code, special) ||
-	    t->clock - w->at > GAP || !is_start_of_command(both))
+	    t->clock - w->at > GAP || names[0] == '\0')
 		return false;
 	t->ui = w->was;
 	*w = (struct held_letter){0};

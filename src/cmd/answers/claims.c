@@ -118,15 +118,6 @@ check_claim_p50_differs_least(struct answer *r, const struct claim_evidence *c)
 					     : tr("neither P20 nor P80"))));
 }
 
-/* True if a correlation is so far below 0 that chance alone goes that far from
- * 0 only once in 20 (t is about 2). */
-static bool
-is_correlation_significantly_negative(double r, size_t n)
-{
-	const double t = 2.1;
-	return n > 2 && r < -t / sqrt(t * t + (double)n - 2);
-}
-
 static void
 check_claim_f_mat_opposes_e0_min(
     struct answer *r, const struct claim_evidence *c)
@@ -146,21 +137,14 @@ check_claim_f_mat_opposes_e0_min(
 	FREED char *fits =
 	    c->n > 2 ? xasprintf(tr(", %+.2f over the %zu fits"), fitted, c->n)
 		     : xstrdup("");
+	/* Chance alone goes that far from 0 once in 20: t is about 2. */
+	const double beyond = 2.1 / sqrt(2.1 * 2.1 + (double)c->paper.n - 2);
 	add_claim_verdict(r,
 	    N_("high f_mat goes with low e0_min, and the reverse"),
-	    is_correlation_significantly_negative(printed, c->paper.n),
+	    c->paper.n > 2 && printed < -beyond,
 	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3%s; "
 			 "chance alone goes beyond %.2f once in 20"),
-		printed, c->paper.n, fits,
-		2.1 / sqrt(2.1 * 2.1 + (double)c->paper.n - 2)));
-}
-
-/* Returns the row of Table 3 that has the name of the site, or NULL. */
-static const struct material *
-table3_row_of_site(const struct claim_evidence *c, const struct entry *entry)
-{
-	FREED char *name = xasprintf("table3/%s", entry->key);
-	return material_find(&c->paper, name);
+		printed, c->paper.n, fits, beyond));
 }
 
 /* For a reconstructed site the true product is known at any speed: its row of
@@ -174,7 +158,8 @@ check_claim_of_extrapolation(struct answer *r, const struct claim_evidence *c)
 	size_t n = 0, well = 0;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct site *site = c->fit[i]->site;
-		const struct material *m = table3_row_of_site(c, c->fit[i]);
+		FREED char *name = xasprintf("table3/%s", c->fit[i]->key);
+		const struct material *m = material_find(&c->paper, name);
 		for (size_t k = 0; m != NULL && k < ARRAY_LEN(SPEED); k++) {
 			struct prediction p = predict_with_model_alone(site,
 					      &c->fit[i]->params, c->settings,

@@ -346,15 +346,6 @@ goal_met_speeds_text(const struct goal *g, const struct site *site, bool units)
 				      units ? " m/s" : "", rpm);
 }
 
-/* True if there is one range of speeds, and the goal is certain throughout. */
-static bool
-is_window_certain(const struct goal *g)
-{
-	const struct speed_range *in = g->found->inside;
-	return g->n_value == 0 && g->found->n_inside == 1 &&
-	       in->from >= g->found->sure[0] && in->to <= g->found->sure[1];
-}
-
 /* Returns "80 % certain 71.2 to 77.5"; the longer forms omit the speeds if they
  * are all that meet the goal.  "" for a single value, without a band, or if no
  * speed meets the goal.  The caller frees it. */
@@ -368,7 +359,10 @@ certain_speeds_text(const struct session *s, const struct goal *g,
 	if (g->n_value > 0 || g->found->n_inside == 0 ||
 	    isnan(g->found->best_certain))
 		return xstrdup("");
-	if (is_window_certain(g) && length < GOALS_PLAIN)
+	/* One range, and certain throughout. */
+	const struct speed_range *in = g->found->inside;
+	if (g->found->n_inside == 1 && in->from >= sure[0] &&
+	    in->to <= sure[1] && length < GOALS_PLAIN)
 		return xasprintf(tr("%.0f %% certain"), level);
 	if (!isfinite(sure[0]))
 		return xasprintf(tr("no speed is %.0f %% certain"), level);

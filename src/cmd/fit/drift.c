@@ -15,13 +15,6 @@
 
 static const uint64_t SEED = 1; /* seed of the simulated run lengths */
 
-/* Returns the larger of the two CUSUMs, the downward one as negative. */
-static double
-larger_signed_cusum(const struct drift_chart *c)
-{
-	return c->down > c->up ? -c->down : c->up;
-}
-
 /* charts: also add the numbers of the charts.  Programs get measured minus
  * predicted; people get predicted minus measured, as in all other
  * comparisons. */
@@ -52,7 +45,9 @@ add_belt_cut_rows_to_answer(
 		if (charts)
 			answer_add_cells(a, "%.1f %.1f %.1f %.1f %.1f",
 			    sign * level->ewma, level->ewma_limit, level->up,
-			    level->down, sign * larger_signed_cusum(tilt));
+			    level->down,
+			    sign * (tilt->down > tilt->up ? -tilt->down
+							  : tilt->up));
 		answer_add_cells(a, "%s", tr(ROUTINE_STATE[p->state]));
 	}
 }

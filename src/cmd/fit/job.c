@@ -621,17 +621,6 @@ misfit_of_present_params(const struct session *s)
 	return misfit;
 }
 
-/* True if the best of a stopped search replaces the site's parameters.  Half a
- * search does not replace a better fit.  A search that is complete and lacks
- * only its draws always does. */
-static bool
-is_stopped_fit_better(const struct job *job, double best)
-{
-	return calibration_status(job->calibration).state >=
-		   CALIBRATE_TOLERANCE ||
-	       !isfinite(job->before) || best < job->before;
-}
-
 static void
 print_calibration_stopped(const struct session *s, double best, bool taken)
 {
@@ -671,7 +660,11 @@ apply_best_fit_on_stop(struct session *s)
 	double best = calibration_best_fit(job->calibration).misfit;
 	if (!job->gave || memcmp(&job->given, params, sizeof *params) != 0)
 		job->before = misfit_of_present_params(s);
-	bool taken = is_stopped_fit_better(job, best);
+	/* Half a search does not replace a better fit.  One that is complete
+	 * and lacks only its draws always does. */
+	bool taken =
+	    calibration_status(job->calibration).state >= CALIBRATE_TOLERANCE ||
+	    !isfinite(job->before) || best < job->before;
 	if (taken) {
 		job->type->take(s);
 		job->given = *params;

@@ -149,14 +149,6 @@ parse_redirection(const char *line, size_t *at, struct place place,
 	    "write: sweep | less");
 }
 
-/* True if > and | are ordinary words of the command. */
-static bool
-are_redirections_plain_words(const struct words *words)
-{
-	return words->command != NULL &&
-	       (words->command->flags & COMMAND_VERBATIM) != 0;
-}
-
 void
 words_replace_by_one(
     struct words *words, size_t first, size_t n, const char *text)
@@ -292,7 +284,8 @@ words_split_line(const char *line, size_t from, struct place place,
 	words->reached = place.column > 0 ? from : 0;
 	words->reached_column = place.column > 0 ? place.column : 1;
 	while (line[i] != '\0' && line[i] != '#' && line[i] != ';') {
-		bool verbatim = are_redirections_plain_words(words);
+		bool verbatim = words->command != NULL &&
+				(words->command->flags & COMMAND_VERBATIM) != 0;
 		bool sign = line[i] == '>' || line[i] == '|';
 		bool ok = true;
 		if (sign && is_limit_not_redirection(line, i, words))

@@ -165,14 +165,6 @@ count_words_in_rpm(const struct words *words)
 	return n;
 }
 
-/* True if the command reads cuts, with a speed after the file's name. */
-static bool
-command_takes_speed_after_file(const struct command *command)
-{
-	return strcmp(command->name, "add") == 0 ||
-	       strcmp(command->name, "load") == 0;
-}
-
 /* Returns the length of a speed in rpm at a place of a word whose other parts
  * are not speeds: "power=1485rpm:210:120" or, at the end of a file of add or
  * load, "cut.csv@1528rpm".  Returns 0 if there is none. */
@@ -184,8 +176,10 @@ length_of_rpm_within_word(
 	const char *sign = strrchr(word, '@');
 	bool power = strncmp(word, POWER, strlen(POWER)) == 0 && at > word &&
 		     strchr("=,;", at[-1]) != NULL;
-	bool file = command_takes_speed_after_file(command) && sign != NULL &&
-		    sign > word && at == sign + 1 && strchr(word, '=') == NULL;
+	size_t which; /* of the commands that read cuts */
+	bool file = text_find_word_in_list("add load", command->name, &which) &&
+		    sign != NULL && sign > word && at == sign + 1 &&
+		    strchr(word, '=') == NULL;
 	double rpm;
 	size_t n = power || file ? strspn(at, "0123456789.") : 0;
 	FREED char *number = xstrndup(at, n);

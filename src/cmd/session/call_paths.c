@@ -144,15 +144,6 @@ struct script_folder {
 	const char *folder;
 };
 
-/* True if the path is of a file that the session wrote, which a later line of
- * the script means. */
-static bool
-is_path_written(const struct session *s, const char *path)
-{
-	FREED char *file = xstrndup(path, call_path_length_of_file(path));
-	return file[0] != '\0' && files_is_written(s, file);
-}
-
 static char *
 path_beside_script(const char *path, const void *script)
 {
@@ -162,8 +153,10 @@ path_beside_script(const char *path, const void *script)
 		name += 2;
 	char *beside = xasprintf("%s/%s", of->folder, name);
 	bool dots = strcmp(name, "") == 0 || strcmp(name, ".") == 0;
+	/* A file that the session wrote is what a later line means. */
+	FREED char *file = xstrndup(path, call_path_length_of_file(path));
 	if (path[0] != '/' && !dots && call_path_length_of_file(beside) > 0 &&
-	    !is_path_written(of->session, path))
+	    (file[0] == '\0' || !files_is_written(of->session, file)))
 		return beside;
 	free(beside);
 	return xstrdup(path);

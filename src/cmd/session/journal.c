@@ -248,14 +248,6 @@ journal_add_file_check(
 		append_journal_line(j, line);
 }
 
-/* True if a saved script leaves the option out: pause=, which is added at the
- * end, and out=, because by then its sheet exists. */
-static bool
-is_option_not_saved(const struct command_option *o)
-{
-	return strcmp(o->name, "pause") == 0 || strcmp(o->name, "out") == 0;
-}
-
 char *
 journal_saved_command_text(const struct args *args, const struct words *words)
 {
@@ -264,7 +256,10 @@ journal_saved_command_text(const struct args *args, const struct words *words)
 		const char *word = words->text[i];
 		const struct command_option *o;
 		const char *path = call_path_in_word(args, word, &o);
-		if (o != NULL && is_option_not_saved(o))
+		size_t which;
+		/* pause= is added at the end, and the sheet of out= exists. */
+		if (o != NULL &&
+		    text_find_word_in_list("pause out", o->name, &which))
 			continue;
 		if (path != NULL)
 			append_paths(&line, o, path != word, path);

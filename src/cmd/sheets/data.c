@@ -181,15 +181,6 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Returns the path of the file for an entry: "FOLDER/gavle-11.2-2.csv" for the
- * key "gavle/11.2/2". */
-static char *
-csv_path_of_site(const struct entry *entry, const char *folder)
-{
-	FREED char *stem = text_slug(entry->key);
-	return xasprintf("%s/%s.csv", folder, stem);
-}
-
 bool
 cmd_write(struct session *s, const struct args *args, struct error *error)
 {
@@ -207,7 +198,8 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 				     "results"));
 	}
 	for (size_t i = 0; i < s->n_entry; i++) {
-		FREED char *file = csv_path_of_site(&s->entry[i], path);
+		FREED char *stem = text_slug(s->entry[i].key);
+		FREED char *file = xasprintf("%s/%s.csv", path, stem);
 		if (!files_write_site(s, args, s->entry[i].site, file, error))
 			return false;
 	}

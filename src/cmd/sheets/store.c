@@ -631,16 +631,6 @@ note_recalled_params(
 	    line);
 }
 
-/* True if the calibration included all runs of the site, and all of them
- * correct its answers. */
-static bool
-is_corrected_by_all_runs(const struct session *s, const struct entry *entry)
-{
-	return entry->history != NULL &&
-	       entry->history->site->digest == entry->site->digest &&
-	       correction_in_use(s, entry) == CORRECTION_ALL;
-}
-
 /* Lists what came back with a site besides its products: feeds, training runs,
  * cuts added, and what was assumed.  Does not say how the sheet's columns were
  * read, because that would not mention added runs. */
@@ -667,9 +657,12 @@ note_recalled_site_data(struct session *s, const struct entry *entry)
 			last = site->note[i].value;
 			cuts++;
 		}
+	/* The calibration included all runs, and all of them correct it. */
 	if (cuts > 0)
 		session_print_note(s,
-		    is_corrected_by_all_runs(s, entry)
+		    entry->history != NULL &&
+			    entry->history->site->digest == site->digest &&
+			    correction_in_use(s, entry) == CORRECTION_ALL
 			? tr_n(
 			      "  %zu cut added and included in the answers: %s",
 			      "  %zu cuts added and included in the answers; "
@@ -762,14 +755,6 @@ recall_params_and_runs(struct session *s, const struct material *m,
 		set_site_params(s, entry, &m->params, origin_new_from_store(m));
 	note_recalled_material(s, entry, m);
 	return true;
-}
-
-static bool
-is_name_in_list(const char *names, const char *name)
-{
-	FREED char *all = xasprintf(", %s,", names);
-	FREED char *one = xasprintf(", %s,", name);
-	return text_contains_folded(all, one);
 }
 
 /* Returns the materials for an error: "pit (3 runs at 69 to 79 m/s,
@@ -982,7 +967,9 @@ static void
 add_rock_unless_listed(void *data, const char *rock)
 {
 	char **rocks = data;
-	if (rock[0] != '\0' && !is_name_in_list(*rocks, rock))
+	FREED char *all = xasprintf(", %s,", *rocks);
+	FREED char *one = xasprintf(", %s,", rock);
+	if (rock[0] != '\0' && !text_contains_folded(all, one))
 		xappend_to_list(rocks, ", ", "%s", rock);
 }
 

@@ -39,12 +39,6 @@ struct row {
 	bool wide;
 };
 
-static size_t
-count_searched_parameters(const struct search_shown *past)
-{
-	return breakage_model_of_params(&past->best)->n;
-}
-
 static void
 move_parameter_cursor(struct tui *t, int by)
 {
@@ -55,8 +49,9 @@ move_parameter_cursor(struct tui *t, int by)
 	if (t->ui.param_at == 0)
 		t->ui.param_at = 1;
 	else
-		t->ui.param_at = 1 + pane_move_index_clamped(t->ui.param_at - 1,
-					 by, count_searched_parameters(&past));
+		t->ui.param_at =
+		    1 + pane_move_index_clamped(t->ui.param_at - 1, by,
+			    breakage_model_of_params(&past.best)->n);
 }
 
 void

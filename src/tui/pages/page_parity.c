@@ -171,14 +171,6 @@ draw_leave_one_out_scores(const struct tui *t, const struct area *area, int row)
 	return row;
 }
 
-/* Returns the difference between predicted and measured size i, % of the
- * measured one. */
-static double
-size_error_percent(const struct validation *v, size_t i)
-{
-	return 100 * (v->size[VALIDATE_MODEL][i] / v->measured[i] - 1);
-}
-
 /* ---- The list of points ---- */
 
 enum column {
@@ -215,7 +207,9 @@ parity_cell_text(const struct tui *t, size_t i, int column)
 		return xasprintf("%.2f", 1000 * p->v.measured[1]);
 	if (column == MODEL)
 		return xasprintf("%.2f", 1000 * p->v.size[VALIDATE_MODEL][1]);
-	return xasprintf("%+.1f%%", size_error_percent(&p->v, SIZE[column]));
+	size_t size = SIZE[column];
+	return xasprintf("%+.1f%%",
+	    100 * (p->v.size[VALIDATE_MODEL][size] / p->v.measured[size] - 1));
 }
 
 static const struct list_table TABLE = {

@@ -136,14 +136,6 @@ draw_question_table(struct tui *t, const struct area *area)
 }
 
 static void
-draw_typed_answer_line(struct tui *t, const struct area *area)
-{
-	size_t from;
-	int at = pane_draw_typed_line(area, "> ", &t->answer, &from);
-	t->cursor = (struct cursor){area->row, area->column + at};
-}
-
-static void
 draw_dialog_parts(struct tui *t, const struct area *inner,
     const struct parts *p, const char *asks)
 {
@@ -158,7 +150,9 @@ draw_dialog_parts(struct tui *t, const struct area *inner,
 	area = area_cut_off_edge(&left, EDGE_TOP, p->text);
 	screen_draw_wrapped(&area, 0, LOOK_BOLD, asks);
 	area = area_cut_off_edge(&left, EDGE_TOP, p->line);
-	draw_typed_answer_line(t, &area);
+	size_t from;
+	int at = pane_draw_typed_line(&area, "> ", &t->answer, &from);
+	t->cursor = (struct cursor){area.row, area.column + at};
 	screen_draw_wrapped(&left, 0, LOOK_DIM, p->hint > 0 ? q->hint : "");
 }
 
