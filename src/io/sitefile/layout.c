@@ -205,6 +205,44 @@ find_next_number_of_each_cell(struct sheet_grid *g)
 	}
 }
 
+/* True if two sizes are of one sieve, one perhaps in um. */
+static bool
+are_same_sieve(double a, double b)
+{
+	const double NEAR = 0.05;
+	double apart = fabs(log10(a / b));
+	return fmin(apart, fabs(apart - 3)) < NEAR * log10(exp(1));
+}
+
+/* Cuts "1/2 in (12.5 mm)" or "4.75 (No. 4)" to one of the two names: that in
+ * brackets if it is in mm or um, else the first. */
+static void
+cut_cell_to_one_sieve_name(const struct sheet *sheet, struct cell *cell)
+{
+	const struct sieve_unit length = {1, SIEVE_NONE};
+	char *text = cell->text, *open = strpbrk(text, "([");
+	size_t n = strlen(text);
+	double mm, other;
+	if (cell->kind != CELL_TEXT || open == NULL ||
+	    strchr(")]", text[n - 1]) == NULL)
+		return;
+	FREED char *copy = xstrdup(text);
+	copy[open - text] = copy[n - 1] = '\0';
+	char *first = text_trim(copy), *second = copy + (open - text) + 1;
+	struct cell a = number_reparse_cell_with_text(sheet, *cell, first),
+		    b = number_reparse_cell_with_text(sheet, *cell, second);
+	bool metric =
+	    (lexicon_text_meanings(second, NULL) & (WORD_MM | WORD_UM)) != 0;
+	if (sieve_read_size(sheet, a, length, &mm) != SIEVE_IS_SIZE ||
+	    sieve_read_size(sheet, b, length, &other) != SIEVE_IS_SIZE ||
+	    (a.value == AS_NUMBER && b.value == AS_NUMBER) ||
+	    !are_same_sieve(mm, other))
+		return;
+	*(metric ? text + n - 1 : open) = '\0';
+	*cell = number_reparse_cell_with_text(
+	    sheet, *cell, text_trim(metric ? open + 1 : text));
+}
+
 static struct sheet_grid
 copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 {
@@ -226,6 +264,7 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 			struct cell cell = row_cell_at(row, c);
 			if (!is_cell_in_range(range.box, row->line, c + 1))
 				cell = row_cell_at(row, row->n_all);
+			cut_cell_to_one_sieve_name(sheet, &cell);
 			*cell_at(&g, r, c) = cell;
 		}
 	}
