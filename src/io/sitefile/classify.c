@@ -867,7 +867,8 @@ drop_column(struct columns *all, size_t i)
 
 /* Returns the rank of a column among the quantities of one sample: masses
  * first, because they are exact and include the pan, then those that need the
- * least conversion. */
+ * least conversion; last masses that cannot be converted, as there is neither a
+ * pan nor a total. */
 static int
 column_preference_by_quantity(const struct column *c)
 {
@@ -875,7 +876,10 @@ column_preference_by_quantity(const struct column *c)
 	if (c->open)
 		return 9;
 	if (unit->kind == RETAINED && unit->scale == OF_MASS)
-		return 0;
+		return summarise_column_numbers(c).has_pan ||
+			       !isnan(stated_total_of_column(c))
+			   ? 0
+			   : 4;
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
@@ -936,6 +940,7 @@ mark_column_comparison_only(struct column *c, const struct column *other)
 	c->twin = other->table->number[other->at];
 	c->role = NO_ROLE;
 	c->open = false;
+	xfree_and_set(&c->assumed, NULL);
 }
 
 /* Returns the words in a column's headings that tell its sample from others:

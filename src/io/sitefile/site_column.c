@@ -389,8 +389,8 @@ total_mass_on_sieves(struct column *c)
 	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
-	if (isnan(c->pan) && isnan(total))
-		return fault_no_pan(c);
+	if (isnan(c->pan) && isnan(total)) /* a twin is not needed */
+		return c->twin > 0 ? 0 : fault_no_pan(c);
 	if (cumulative)
 		return total;
 	if (isnan(c->pan) && total < sum * (1 - MASS_TOLERANCE)) {
