@@ -809,6 +809,33 @@ make_column_from_headings(struct table *t, size_t at)
 	return c;
 }
 
+/* True if a column is retained in a unit that only its numbers suggest. */
+static bool
+is_guessed_retained(const struct column *c, enum unit_scale scale)
+{
+	return c->unit == site_unit_index(RETAINED, scale) &&
+	       (c->said.means & SCALE_WORDS) == 0 &&
+	       isnan(stated_total_of_column(c));
+}
+
+/* Takes for percentages what was taken for masses only because it does not sum
+ * to 100, if other columns of the table, from the ith on, are percentages.  The
+ * sum is then reported. */
+static void
+take_odd_masses_for_percentages(struct columns *all, size_t i)
+{
+	size_t percent = 0;
+	for (size_t k = i; k < all->n; k++)
+		percent += is_guessed_retained(&all->column[k], OF_100);
+	for (; percent > 0 && i < all->n; i++) {
+		struct column *c = &all->column[i];
+		struct shape s = summarise_column_numbers(c);
+		if (is_guessed_retained(c, OF_MASS) && s.most <= 100.5 &&
+		    s.sum > 50 && s.sum < 150)
+			c->unit = site_unit_index(RETAINED, OF_100);
+	}
+}
+
 void
 classify_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
@@ -816,7 +843,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 	struct surroundings around = *near;
 	struct error_list *errors = t->sheet->errors;
 	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
-	size_t n = 0;
+	size_t n = 0, first = all->n;
 	for (; n + 1 < t->n_col && !error_is_stop_requested(errors); n++) {
 		column[n] = make_column_from_headings(t, n + 1);
 		set_speed_from_constant_column(&column[n], &around);
@@ -847,6 +874,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 		infer_column_quantity_and_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
+	take_odd_masses_for_percentages(all, first);
 }
 
 static bool
