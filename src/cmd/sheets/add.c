@@ -663,15 +663,6 @@ cut_day_of_run(const struct site *site, size_t run, enum datetime_order order)
 		   : (double)NAN;
 }
 
-/* Drops a cut and the note about it. */
-static void
-drop_belt_cut(struct site *cuts, size_t run)
-{
-	const struct site_note *note = cut_find_note(cuts, run);
-	site_drop_note(cuts, (size_t)(note - cuts->note));
-	site_drop_run(cuts, run);
-}
-
 /* Drops cuts that the site has already, with the same day and numbers: a
  * laboratory may write the cuts of each week below those of the week before. */
 static void
@@ -690,7 +681,9 @@ drop_known_cuts(struct session *s, const struct site *site, struct site *cuts,
 		session_print_note(s, "not added, as %s has it: %s",
 		    session_current_site_entry(s)->key,
 		    cut_find_note(site, r)->value);
-		drop_belt_cut(cuts, k--);
+		const struct site_note *note = cut_find_note(cuts, k);
+		site_drop_note(cuts, (size_t)(note - cuts->note));
+		site_drop_run(cuts, k--);
 	}
 }
 

@@ -147,16 +147,6 @@ replace_role_of_guess(const struct site_ask_column *c, const char *role)
 	return xasprintf("%s%s", role, unit != NULL ? unit : "");
 }
 
-/* Returns the role in the guess.  If the user says that a guessed sieve column
- * is something else, it is a product. */
-static char *
-guessed_role_of_column(const struct site_ask_column *c)
-{
-	return is_guessed_sieve_column(c)
-		   ? xstrdup("product")
-		   : xstrndup(c->guess, strcspn(c->guess, "@ "));
-}
-
 /* Interprets an answer that is only a speed.  The column keeps its guessed
  * role, but a feed without a speed becomes a product. */
 static char *
@@ -175,7 +165,10 @@ parse_speed_answer(const struct site_ask_column *c, const struct head *head,
 		return NULL;
 	}
 	char number[32];
-	FREED char *role = guessed_role_of_column(c);
+	/* a guessed sieve column that is something else is a product */
+	FREED char *role = is_guessed_sieve_column(c)
+			       ? xstrdup("product")
+			       : xstrndup(c->guess, strcspn(c->guess, "@ "));
 	bool feed = strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL;
 	FREED char *said = xasprintf(rpm ? "%s %s rpm" : "%s@%s",
 	    feed ? "product" : role, text_shortest_exact_number(v, number));

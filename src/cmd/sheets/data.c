@@ -18,15 +18,6 @@
 #include "io/store/material.h"
 #include "io/sitefile/units.h"
 
-static bool
-is_any_sheet_in_rpm(const struct session *s)
-{
-	for (size_t i = 0; i < s->n_entry; i++)
-		if (answers_is_sheet_in_rpm(s->entry[i].site))
-			return true;
-	return false;
-}
-
 /* Adds the speeds of the runs: for programs in m/s, for people in the unit of
  * the sheet.  unit: name the unit, because sheets differ. */
 static void
@@ -46,7 +37,9 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct answer *r = answer_new("sites");
-	bool unit = is_any_sheet_in_rpm(s);
+	bool unit = false;
+	for (size_t i = 0; i < s->n_entry; i++)
+		unit = unit || answers_is_sheet_in_rpm(s->entry[i].site);
 	answer_add_columns(r, "key: site, name, rock, top_size_mm: top mm");
 	answer_add_columns(
 	    r, unit ? N_("speeds: speeds") : N_("speeds: speeds m/s"));
@@ -181,15 +174,6 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Returns the path of the file for an entry: "FOLDER/gavle-11.2-2.csv" for the
- * key "gavle/11.2/2". */
-static char *
-csv_path_of_site(const struct entry *entry, const char *folder)
-{
-	FREED char *stem = text_slug(entry->key);
-	return xasprintf("%s/%s.csv", folder, stem);
-}
-
 bool
 cmd_write(struct session *s, const struct args *args, struct error *error)
 {
@@ -207,7 +191,9 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 		return ok;
 	}
 	for (size_t i = 0; i < s->n_entry; i++) {
-		FREED char *file = csv_path_of_site(&s->entry[i], path);
+		/* gavle-11.2-2 for the key gavle/11.2/2 */
+		FREED char *stem = text_slug(s->entry[i].key);
+		FREED char *file = xasprintf("%s/%s.csv", path, stem);
 		if (!files_write_site(s, args, s->entry[i].site, file, error))
 			return false;
 	}

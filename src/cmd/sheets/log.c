@@ -14,14 +14,6 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/column_header.h"
 
-/* Returns "1,440 rows". */
-static char *
-row_count_text(size_t n)
-{
-	return n < 1000 ? xasprintf(tr_n("%zu row", "%zu rows", n), n)
-			: xasprintf(tr("%zu,%03zu rows"), n / 1000, n % 1000);
-}
-
 /* Returns "1180 to 1420". */
 static char *
 number_range_text(double least, double most)
@@ -68,7 +60,11 @@ has_long_gap_in_plant_log(const struct plant_log *log)
 static void
 note_plant_log_contents(struct session *s, const struct plant_log *log)
 {
-	FREED char *rows = row_count_text(log->n),
+	size_t n = log->n;
+	FREED char *rows = n < 1000
+			       ? xasprintf(tr_n("%zu row", "%zu rows", n), n)
+			       : xasprintf(
+				     tr("%zu,%03zu rows"), n / 1000, n % 1000),
 		   *all = plant_log_value_ranges_text(log);
 	FREED char *span = time_range_text(log->time[0], log->time[log->n - 1]);
 	session_print_note(s, "log: %s from %s, %s", rows, span, all);

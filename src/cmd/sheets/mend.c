@@ -184,12 +184,6 @@ mend_add_numbered_list(struct answer *r, const struct entry *entry,
 /* ---- Applying ---- */
 
 static bool
-has_only_digits(const char *word)
-{
-	return word[0] != '\0' && strspn(word, "0123456789") == strlen(word);
-}
-
-static bool
 find_mend_by_number(
     struct session *s, const char *word, struct mend *mend, struct error *error)
 {
@@ -223,14 +217,6 @@ find_mend_by_number(
 	}
 	outliers_free(&d);
 	return ok;
-}
-
-static size_t
-count_mend_options(const struct args *args)
-{
-	return (size_t)args_is_given(args, &args->mend_value) +
-	       args_is_given(args, &args->mend_do) + (args->with != NULL) +
-	       (args->scale > 0);
 }
 
 static bool
@@ -279,8 +265,10 @@ parse_mend_options(const struct site *site, const struct args *args,
 	bool feed = false;
 	if (!mend_find_column_by_name(site, name, &mend->feed, &mend->run))
 		return set_unknown_column_error(site, name, error);
-	if (count_mend_options(args) != 1 ||
-	    !set_mend_kind_from_options(args, mend))
+	int said = args_is_given(args, &args->mend_value) +
+		   args_is_given(args, &args->mend_do) + (with != NULL) +
+		   (args->scale > 0);
+	if (said != 1 || !set_mend_kind_from_options(args, mend))
 		return error_set(error, ERROR_USAGE,
 		    "expected what to do with %s\n"
 		    "use sieve=MM value=PERCENT, sieve=MM do=out, do=up, "
@@ -316,7 +304,8 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	if (args->n_operand == 0)
 		return show_proposed_mends(s);
 	const char *word = args->operand[0];
-	bool found = has_only_digits(word)
+	bool number = word[strspn(word, "0123456789")] == '\0';
+	bool found = number && word[0] != '\0'
 			 ? find_mend_by_number(s, word, &mend, error)
 			 : parse_mend_options(entry->site, args, &mend, error);
 	struct site *site =

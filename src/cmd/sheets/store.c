@@ -631,16 +631,6 @@ note_recalled_params(
 	    line);
 }
 
-/* True if the calibration included all runs of the site, and all of them
- * correct its answers. */
-static bool
-is_corrected_by_all_runs(const struct session *s, const struct entry *entry)
-{
-	return entry->history != NULL &&
-	       entry->history->site->digest == entry->site->digest &&
-	       correction_in_use(s, entry) == CORRECTION_ALL;
-}
-
 /* Lists what came back with a site besides its products: feeds, training runs,
  * cuts added, and what was assumed.  Does not say how the sheet's columns were
  * read, because that would not mention added runs. */
@@ -667,9 +657,13 @@ note_recalled_site_data(struct session *s, const struct entry *entry)
 			last = site->note[i].value;
 			cuts++;
 		}
+	const struct history *history = entry->history;
+	bool corrected = history != NULL &&
+			 history->site->digest == entry->site->digest &&
+			 correction_in_use(s, entry) == CORRECTION_ALL;
 	if (cuts > 0)
 		session_print_note(s,
-		    is_corrected_by_all_runs(s, entry)
+		    corrected
 			? tr_n(
 			      "  %zu cut added and included in the answers: %s",
 			      "  %zu cuts added and included in the answers; "
@@ -762,14 +756,6 @@ recall_params_and_runs(struct session *s, const struct material *m,
 		set_site_params(s, entry, &m->params, origin_new_from_store(m));
 	note_recalled_material(s, entry, m);
 	return true;
-}
-
-static bool
-is_name_in_list(const char *names, const char *name)
-{
-	FREED char *all = xasprintf(", %s,", names);
-	FREED char *one = xasprintf(", %s,", name);
-	return text_contains_folded(all, one);
 }
 
 /* Returns the materials for an error: "pit (3 runs at 69 to 79 m/s,
@@ -982,7 +968,9 @@ static void
 add_rock_unless_listed(void *data, const char *rock)
 {
 	char **rocks = data;
-	if (rock[0] != '\0' && !is_name_in_list(*rocks, rock))
+	FREED char *all = xasprintf(", %s,", *rocks);
+	FREED char *one = xasprintf(", %s,", rock);
+	if (rock[0] != '\0' && !text_contains_folded(all, one))
 		xappend_to_list(rocks, ", ", "%s", rock);
 }
 
@@ -998,16 +986,6 @@ note_available_rocks(struct answer *r, struct store *store,
 		add_rock_unless_listed(&rocks, paper->item[i].rock);
 	answer_note(r, "rocks: %s", rocks);
 	return ok;
-}
-
-/* Returns a query for those of the user's materials that may match the call. */
-static struct store_query
-query_of_materials(const struct args *args)
-{
-	return (struct store_query){.rock = args->rock,
-	    .top_least = 0.94 * args->top,
-	    .top_most = 1.06 * args->top,
-	    .first = (size_t)args->most};
 }
 
 static struct answer *
@@ -1036,15 +1014,6 @@ build_materials_answer(
 	return r;
 }
 
-/* Adds a row of Table 3 as printed, with its spelling and feeds. */
-static void
-add_printed_table3_row(struct answer *r, const struct material *m)
-{
-	answer_add_cells(r, "%s %s %s %g %.2f %.2f %.2f %s", m->name, m->site,
-	    m->rock, m->top_size_mm, m->params.f_mat, m->params.e0_min,
-	    m->params.alpha, m->feed_source);
-}
-
 /* Shows Table 3 alone, in one table if the screen or file has room for it.
  * Programs get the columns of all lists first. */
 static struct answer *
@@ -1060,7 +1029,11 @@ build_table3_answer(const struct session *s, const struct args *args,
 			      "e0_min, alpha, feed_source: feeds");
 	for (size_t i = 0; i < paper->n; i++)
 		if (does_material_match_options(&paper->item[i], args)) {
-			add_printed_table3_row(r, &paper->item[i]);
+			const struct material *m = &paper->item[i];
+			answer_add_cells(r, "%s %s %s %g %.2f %.2f %.2f %s",
+			    m->name, m->site, m->rock, m->top_size_mm,
+			    m->params.f_mat, m->params.e0_min, m->params.alpha,
+			    m->feed_source);
 			++*n;
 		}
 	answer_begin_table_for_programs(r);
@@ -1080,7 +1053,10 @@ show_materials_list(
     struct session *s, const struct args *args, struct error *error)
 {
 	struct material_list list = {0}, paper = {0};
-	struct store_query query = query_of_materials(args);
+	struct store_query query = {.rock = args->rock,
+	    .top_least = 0.94 * args->top,
+	    .top_most = 1.06 * args->top,
+	    .first = (size_t)args->most};
 	size_t n, own = 0;
 	material_add_table3_to_list(&paper);
 	bool ok = store_count_materials(s->store, &own, error) &&

@@ -126,20 +126,14 @@ sync_folder(const char *folder)
 	return good;
 }
 
-static bool
-is_name_of_left_over_file(const char *name)
-{
-	return strncmp(name, PREFIX, sizeof PREFIX - 1) == 0 &&
-	       text_ends_with(name, SUFFIX);
-}
-
 /* Removes files left in the folder by writers that were killed. */
 static void
 remove_left_over_files(const char *folder)
 {
 	DIR *dir = opendir(folder[0] != '\0' ? folder : ".");
 	for (struct dirent *d; dir != NULL && (d = readdir(dir)) != NULL;) {
-		if (!is_name_of_left_over_file(d->d_name))
+		if (strncmp(d->d_name, PREFIX, sizeof PREFIX - 1) != 0 ||
+		    !text_ends_with(d->d_name, SUFFIX))
 			continue;
 		int fd = openat(dirfd(dir), d->d_name,
 		    O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

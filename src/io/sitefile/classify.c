@@ -961,16 +961,6 @@ is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 	       (a->role != NO_ROLE || (stated && has_same_sample_name(a, b)));
 }
 
-/* Marks a column that is only compared with another. */
-static void
-mark_column_comparison_only(struct column *c, const struct column *other)
-{
-	c->twin = other->table->number[other->at];
-	c->role = NO_ROLE;
-	c->open = false;
-	xfree_and_set(&c->assumed, NULL);
-}
-
 /* Returns the words in a column's headings that tell its sample from others:
  * unknown words, and ranges such as 0/4.  Labels of one or two letters are
  * omitted, as are words that say when the sample was taken.  The caller frees
@@ -1127,20 +1117,12 @@ drop_columns_of_same_sample(struct columns *all, struct site *site)
 			    "%s: the sample of column %zu again, as %s",
 			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
-			mark_column_comparison_only(&all->column[i], b);
+			all->column[i].twin = b->table->number[b->at];
+			all->column[i].role = NO_ROLE;
+			all->column[i].open = false;
+			xfree_and_set(&all->column[i].assumed, NULL);
 			break;
 		}
-}
-
-/* True if the numbers look like a curve.  Columns that do not are dropped if
- * their headings do not explain them. */
-static bool
-column_looks_like_curve(const struct column *c)
-{
-	struct shape s = summarise_column_numbers(c);
-	enum unit_kind kind;
-	enum unit_scale scale;
-	return s.n > 2 && guess_quantity_from_numbers(&s, NAN, &kind, &scale);
 }
 
 /* If there is only one feed, makes it the feed of all runs, even if the speed
@@ -1283,8 +1265,13 @@ classify_columns_together(
 		struct column *c = &all->column[i];
 		if (c->role != NO_ROLE)
 			continue;
+		struct shape s = summarise_column_numbers(c);
+		enum unit_kind kind;
+		enum unit_scale scale;
+		bool curve = s.n > 2 && guess_quantity_from_numbers(
+					    &s, NAN, &kind, &scale);
 		bool unknown =
-		    c->said.unknown > 0 && !column_looks_like_curve(c) &&
+		    c->said.unknown > 0 && !curve &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
 			leave_out(site, c, "%s: neither feed nor product",
