@@ -165,6 +165,7 @@ parse_speed_answer(const struct site_ask_column *c, const struct head *head,
 		return NULL;
 	}
 	char number[32];
+	/* a guessed sieve column that is something else is a product */
 	FREED char *role = is_guessed_sieve_column(c)
 			       ? xstrdup("product")
 			       : xstrndup(c->guess, strcspn(c->guess, "@ "));

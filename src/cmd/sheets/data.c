@@ -18,15 +18,6 @@
 #include "io/store/material.h"
 #include "io/sitefile/units.h"
 
-static bool
-is_any_sheet_in_rpm(const struct session *s)
-{
-	for (size_t i = 0; i < s->n_entry; i++)
-		if (answers_is_sheet_in_rpm(s->entry[i].site))
-			return true;
-	return false;
-}
-
 /* Adds the speeds of the runs: for programs in m/s, for people in the unit of
  * the sheet.  unit: name the unit, because sheets differ. */
 static void
@@ -46,7 +37,9 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	struct answer *r = answer_new("sites");
-	bool unit = is_any_sheet_in_rpm(s);
+	bool unit = false;
+	for (size_t i = 0; i < s->n_entry; i++)
+		unit = unit || answers_is_sheet_in_rpm(s->entry[i].site);
 	answer_add_columns(r, "key: site, name, rock, top_size_mm: top mm");
 	answer_add_columns(
 	    r, unit ? N_("speeds: speeds") : N_("speeds: speeds m/s"));
@@ -198,6 +191,7 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 				     "results"));
 	}
 	for (size_t i = 0; i < s->n_entry; i++) {
+		/* gavle-11.2-2 for the key gavle/11.2/2 */
 		FREED char *stem = text_slug(s->entry[i].key);
 		FREED char *file = xasprintf("%s/%s.csv", path, stem);
 		if (!files_write_site(s, args, s->entry[i].site, file, error))

@@ -987,16 +987,6 @@ note_available_rocks(struct answer *r, struct store *store,
 	return ok;
 }
 
-/* Returns a query for those of the user's materials that may match the call. */
-static struct store_query
-query_of_materials(const struct args *args)
-{
-	return (struct store_query){.rock = args->rock,
-	    .top_least = 0.94 * args->top,
-	    .top_most = 1.06 * args->top,
-	    .first = (size_t)args->most};
-}
-
 static struct answer *
 build_materials_answer(
     const struct args *args, const struct material_list *list, size_t *n)
@@ -1023,15 +1013,6 @@ build_materials_answer(
 	return r;
 }
 
-/* Adds a row of Table 3 as printed, with its spelling and feeds. */
-static void
-add_printed_table3_row(struct answer *r, const struct material *m)
-{
-	answer_add_cells(r, "%s %s %s %g %.2f %.2f %.2f %s", m->name, m->site,
-	    m->rock, m->top_size_mm, m->params.f_mat, m->params.e0_min,
-	    m->params.alpha, m->feed_source);
-}
-
 /* Shows Table 3 alone, in one table if the screen or file has room for it.
  * Programs get the columns of all lists first. */
 static struct answer *
@@ -1047,7 +1028,11 @@ build_table3_answer(const struct session *s, const struct args *args,
 			      "e0_min, alpha, feed_source: feeds");
 	for (size_t i = 0; i < paper->n; i++)
 		if (does_material_match_options(&paper->item[i], args)) {
-			add_printed_table3_row(r, &paper->item[i]);
+			const struct material *m = &paper->item[i];
+			answer_add_cells(r, "%s %s %s %g %.2f %.2f %.2f %s",
+			    m->name, m->site, m->rock, m->top_size_mm,
+			    m->params.f_mat, m->params.e0_min, m->params.alpha,
+			    m->feed_source);
 			++*n;
 		}
 	answer_begin_table_for_programs(r);
@@ -1067,7 +1052,10 @@ show_materials_list(
     struct session *s, const struct args *args, struct error *error)
 {
 	struct material_list list = {0}, paper = {0};
-	struct store_query query = query_of_materials(args);
+	struct store_query query = {.rock = args->rock,
+	    .top_least = 0.94 * args->top,
+	    .top_most = 1.06 * args->top,
+	    .first = (size_t)args->most};
 	size_t n, own = 0;
 	material_add_table3_to_list(&paper);
 	bool ok = store_count_materials(s->store, &own, error) &&

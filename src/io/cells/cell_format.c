@@ -79,18 +79,12 @@ parse_cell_format_char(const char *p, struct said *said)
 	return p + 1;
 }
 
-/* True if m means minutes, as in m:ss. */
-static bool
-is_m_for_minutes(const char *code)
-{
-	return strncasecmp(code, "m:s", 3) == 0 ||
-	       strncasecmp(code, "mm:s", 4) == 0;
-}
-
 struct cell_format
 cell_format_of_code(const char *code)
 {
-	struct said said = {.time = is_m_for_minutes(code)};
+	/* m means minutes, as in m:ss */
+	struct said said = {.time = strncasecmp(code, "m:s", 3) == 0 ||
+				    strncasecmp(code, "mm:s", 4) == 0};
 	static const char *const PLAIN[] = {"General", "Standard"};
 	for (const char *p = code; *p != '\0' && *p != ';';) {
 		size_t plain = 0;

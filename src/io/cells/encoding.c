@@ -22,13 +22,6 @@ static const uint16_t C1[32] = {0x20AC, 0, 0x201A, 0x0192, 0x201E, 0x2026,
     0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014, 0x02DC, 0x2122,
     0x0161, 0x203A, 0x0153, 0, 0x017E, 0x0178};
 
-static uint32_t
-code_point_of_windows_1252(char byte)
-{
-	unsigned char c = (unsigned char)byte;
-	return c >= 0x80 && c < 0xA0 ? C1[c - 0x80] : c;
-}
-
 static char *
 append_utf8_char(char *to, uint32_t code)
 {
@@ -42,7 +35,8 @@ decode_windows_1252(const char *bytes, size_t n)
 	struct decoded d = {ENCODING_1252, xcalloc(3 * n + 1, 1), 0, 0, NULL};
 	char *to = d.text;
 	for (size_t i = 0; i < n; i++) {
-		uint32_t code = code_point_of_windows_1252(bytes[i]);
+		unsigned char c = (unsigned char)bytes[i];
+		uint32_t code = c >= 0x80 && c < 0xA0 ? C1[c - 0x80] : c;
 		bool none = code == 0 && bytes[i] != '\0';
 		if (none && d.wrong == NULL) {
 			d.wrong =

@@ -74,17 +74,11 @@ refuse_damaged_workbook(const struct sheets *grid, const char *wrong)
 }
 
 static bool
-is_ods_archive(struct archive *archive)
-{
-	return archive_has_entry(archive, "content.xml") ||
-	       archive_has_entry(archive, "encrypted-package");
-}
-
-static bool
 read_archive_to_grid(struct archive *archive, struct sheets *grid)
 {
 	bool xlsx = archive_has_entry(archive, "xl/workbook.xml");
-	if (!xlsx && !is_ods_archive(archive))
+	if (!xlsx && !archive_has_entry(archive, "content.xml") &&
+	    !archive_has_entry(archive, "encrypted-package"))
 		return refuse_other_file_type(archive, grid);
 	if (!xlsx && is_password_protected(archive))
 		return refuse_workbook(grid,

@@ -133,15 +133,6 @@ append_shared_string_text(void *data, const char *text, size_t n)
 }
 
 /* xl/styles.xml: <numFmt numFmtId formatCode>, then <cellXfs><xf numFmtId>. */
-static struct cell_format
-cell_format_of_format_id(const struct book *b, unsigned id)
-{
-	for (size_t i = 0; i < b->n_code; i++)
-		if (b->code[i].id == id)
-			return b->code[i].shown;
-	return cell_format_of_builtin_id(id);
-}
-
 static void
 xlsx_begin_style_element(
     void *data, const char *name, const char *const *attribute)
@@ -160,7 +151,11 @@ xlsx_begin_style_element(
 	    b->n_style == MOST_FORMATS)
 		return;
 	b->style = xgrow_by_one(b->style, b->n_style, sizeof *b->style);
-	b->style[b->n_style++] = cell_format_of_format_id(b, id);
+	b->style[b->n_style] = cell_format_of_builtin_id(id);
+	for (size_t i = b->n_code; i-- > 0;)
+		if (b->code[i].id == id)
+			b->style[b->n_style] = b->code[i].shown;
+	b->n_style++;
 }
 
 static void

@@ -239,20 +239,14 @@ set_collision_columns_from_names(
 	r->separator = was;
 }
 
-static bool
-has_energy_columns(const struct reading *r)
-{
-	return r->has[COL_VELOCITY] || r->has[COL_SPECIFIC] ||
-	       (r->has[COL_ENERGY] && r->has[COL_MASS]) ||
-	       (r->has[COL_LOW] && r->has[COL_HIGH] && r->has[COL_WEIGHT]);
-}
-
 /* True if the columns give energies; otherwise reports what is missing and how
  * to name the columns. */
 static bool
 check_energy_columns(struct reading *r)
 {
-	if (has_energy_columns(r))
+	if (r->has[COL_VELOCITY] || r->has[COL_SPECIFIC] ||
+	    (r->has[COL_ENERGY] && r->has[COL_MASS]) ||
+	    (r->has[COL_LOW] && r->has[COL_HIGH] && r->has[COL_WEIGHT]))
 		return true;
 	bool joules = r->has[COL_ENERGY] && !r->has[COL_MASS];
 	return fault(r, ERROR_DATA,
@@ -377,15 +371,6 @@ parse_line_above_headings(struct reading *r)
 		   text_parse_whole_number(value, &r->told));
 }
 
-static char
-guess_separator_of_line(const char *line)
-{
-	return strchr(line, '\t')  ? '\t'
-	       : strchr(line, ';') ? ';'
-	       : strchr(line, ',') ? ','
-				   : ' ';
-}
-
 /* Reads the headings of a table; for a list without headings, takes its columns
  * from the options.  *is_row: the line has numbers, not headings. */
 static bool
@@ -419,7 +404,10 @@ static bool
 collisions_read_table(struct reading *r)
 {
 	bool ok = true, is_row = false;
-	r->separator = guess_separator_of_line(r->line);
+	r->separator = strchr(r->line, '\t')  ? '\t'
+		       : strchr(r->line, ';') ? ';'
+		       : strchr(r->line, ',') ? ','
+					      : ' ';
 	while (parse_line_above_headings(r))
 		if (!read_next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",

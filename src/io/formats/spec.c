@@ -33,16 +33,6 @@ spec_parse_fraction_sizes(const char *text, double cut[static 2])
 	return ok;
 }
 
-static void
-parse_spec_fraction_cell(
-    struct spec *spec, struct sheet *sheet, struct cell value)
-{
-	if (!spec_parse_fraction_sizes(value.text, spec->cut))
-		sheet_report_expected(sheet, value,
-		    "a fraction in mm such as 0/4",
-		    "leave the line out for limits on the whole product");
-}
-
 /* Reads a key with its value.  Returns false for an unknown key, as in a
  * remark. */
 static bool
@@ -53,7 +43,11 @@ spec_parse_key_value(
 		      : text_is_same_folded(key.text, "source") ? &spec->source
 								: NULL;
 	if (text_is_same_folded(key.text, "cut")) {
-		parse_spec_fraction_cell(spec, sheet, value);
+		if (!spec_parse_fraction_sizes(value.text, spec->cut))
+			sheet_report_expected(sheet, value,
+			    "a fraction in mm such as 0/4",
+			    "leave the line out for limits on the whole "
+			    "product");
 		return true;
 	}
 	if (text != NULL)

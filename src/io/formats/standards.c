@@ -245,15 +245,6 @@ do_words_name_base_envelope(const struct spec *spec, const char *folded)
 		   folded, spec->name + strlen(spec->standard)) == 2;
 }
 
-/* True if a name is the same as another one, of `length` bytes, or begins with
- * it and a space. */
-static bool
-standards_has_name_prefix(const char *name, const char *other, size_t length)
-{
-	return strncmp(name, other, length) == 0 &&
-	       (name[length] == '\0' || name[length] == ' ');
-}
-
 /* If all marked names begin with one of them, and the words mean that one,
  * keeps only that.  Returns the number of marked names. */
 static size_t
@@ -263,10 +254,12 @@ unmark_all_but_base_envelope(
 	for (size_t i = 0; i < all->n; i++) {
 		const char *name = all->spec[i]->name;
 		size_t length = strlen(name), begin = 0;
-		for (size_t j = 0; j < all->n; j++)
+		for (size_t j = 0; j < all->n; j++) {
+			const char *other = all->spec[j]->name;
 			begin +=
-			    match[j] && standards_has_name_prefix(
-					    all->spec[j]->name, name, length);
+			    match[j] && strncmp(other, name, length) == 0 &&
+			    (other[length] == '\0' || other[length] == ' ');
+		}
 		if (!match[i] || begin < n ||
 		    !do_words_name_base_envelope(all->spec[i], folded))
 			continue;

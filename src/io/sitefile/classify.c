@@ -809,6 +809,33 @@ make_column_from_headings(struct table *t, size_t at)
 	return c;
 }
 
+/* True if a column is retained in a unit that only its numbers suggest. */
+static bool
+is_guessed_retained(const struct column *c, enum unit_scale scale)
+{
+	return c->unit == site_unit_index(RETAINED, scale) &&
+	       (c->said.means & SCALE_WORDS) == 0 &&
+	       isnan(stated_total_of_column(c));
+}
+
+/* Takes for percentages what was taken for masses only because it does not sum
+ * to 100, if other columns of the table, from the ith on, are percentages.  The
+ * sum is then reported. */
+static void
+take_odd_masses_for_percentages(struct columns *all, size_t i)
+{
+	size_t percent = 0;
+	for (size_t k = i; k < all->n; k++)
+		percent += is_guessed_retained(&all->column[k], OF_100);
+	for (; percent > 0 && i < all->n; i++) {
+		struct column *c = &all->column[i];
+		struct shape s = summarise_column_numbers(c);
+		if (is_guessed_retained(c, OF_MASS) && s.most <= 100.5 &&
+		    s.sum > 50 && s.sum < 150)
+			c->unit = site_unit_index(RETAINED, OF_100);
+	}
+}
+
 void
 classify_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
@@ -816,7 +843,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 	struct surroundings around = *near;
 	struct error_list *errors = t->sheet->errors;
 	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
-	size_t n = 0;
+	size_t n = 0, first = all->n;
 	for (; n + 1 < t->n_col && !error_is_stop_requested(errors); n++) {
 		column[n] = make_column_from_headings(t, n + 1);
 		set_speed_from_constant_column(&column[n], &around);
@@ -847,6 +874,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 		infer_column_quantity_and_unit(&c, around.told);
 		all->column[all->n++] = c;
 	}
+	take_odd_masses_for_percentages(all, first);
 }
 
 static bool
@@ -867,7 +895,8 @@ drop_column(struct columns *all, size_t i)
 
 /* Returns the rank of a column among the quantities of one sample: masses
  * first, because they are exact and include the pan, then those that need the
- * least conversion. */
+ * least conversion; last masses that cannot be converted, as there is neither a
+ * pan nor a total. */
 static int
 column_preference_by_quantity(const struct column *c)
 {
@@ -875,7 +904,10 @@ column_preference_by_quantity(const struct column *c)
 	if (c->open)
 		return 9;
 	if (unit->kind == RETAINED && unit->scale == OF_MASS)
-		return 0;
+		return summarise_column_numbers(c).has_pan ||
+			       !isnan(stated_total_of_column(c))
+			   ? 0
+			   : 4;
 	return unit->kind == PASSING ? 1 : unit->kind == CUMULATIVE ? 2 : 3;
 }
 
@@ -927,15 +959,6 @@ is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 			SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
 	return same &&
 	       (a->role != NO_ROLE || (stated && has_same_sample_name(a, b)));
-}
-
-/* Marks a column that is only compared with another. */
-static void
-mark_column_comparison_only(struct column *c, const struct column *other)
-{
-	c->twin = other->table->number[other->at];
-	c->role = NO_ROLE;
-	c->open = false;
 }
 
 /* Returns the words in a column's headings that tell its sample from others:
@@ -1094,20 +1117,12 @@ drop_columns_of_same_sample(struct columns *all, struct site *site)
 			    "%s: the sample of column %zu again, as %s",
 			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
-			mark_column_comparison_only(&all->column[i], b);
+			all->column[i].twin = b->table->number[b->at];
+			all->column[i].role = NO_ROLE;
+			all->column[i].open = false;
+			xfree_and_set(&all->column[i].assumed, NULL);
 			break;
 		}
-}
-
-/* True if the numbers look like a curve.  Columns that do not are dropped if
- * their headings do not explain them. */
-static bool
-column_looks_like_curve(const struct column *c)
-{
-	struct shape s = summarise_column_numbers(c);
-	enum unit_kind kind;
-	enum unit_scale scale;
-	return s.n > 2 && guess_quantity_from_numbers(&s, NAN, &kind, &scale);
 }
 
 /* If there is only one feed, makes it the feed of all runs, even if the speed
@@ -1250,8 +1265,13 @@ classify_columns_together(
 		struct column *c = &all->column[i];
 		if (c->role != NO_ROLE)
 			continue;
+		struct shape s = summarise_column_numbers(c);
+		enum unit_kind kind;
+		enum unit_scale scale;
+		bool curve = s.n > 2 && guess_quantity_from_numbers(
+					    &s, NAN, &kind, &scale);
 		bool unknown =
-		    c->said.unknown > 0 && !column_looks_like_curve(c) &&
+		    c->said.unknown > 0 && !curve &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
 			leave_out(site, c, "%s: neither feed nor product",

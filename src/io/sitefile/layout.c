@@ -205,6 +205,44 @@ find_next_number_of_each_cell(struct sheet_grid *g)
 	}
 }
 
+/* True if two sizes are of one sieve, one perhaps in um. */
+static bool
+are_same_sieve(double a, double b)
+{
+	const double NEAR = 0.05;
+	double apart = fabs(log10(a / b));
+	return fmin(apart, fabs(apart - 3)) < NEAR * log10(exp(1));
+}
+
+/* Cuts "1/2 in (12.5 mm)" or "4.75 (No. 4)" to one of the two names: that in
+ * brackets if it is in mm or um, else the first. */
+static void
+cut_cell_to_one_sieve_name(const struct sheet *sheet, struct cell *cell)
+{
+	const struct sieve_unit length = {1, SIEVE_NONE};
+	char *text = cell->text, *open = strpbrk(text, "([");
+	size_t n = strlen(text);
+	double mm, other;
+	if (cell->kind != CELL_TEXT || open == NULL ||
+	    strchr(")]", text[n - 1]) == NULL)
+		return;
+	FREED char *copy = xstrdup(text);
+	copy[open - text] = copy[n - 1] = '\0';
+	char *first = text_trim(copy), *second = copy + (open - text) + 1;
+	struct cell a = number_reparse_cell_with_text(sheet, *cell, first),
+		    b = number_reparse_cell_with_text(sheet, *cell, second);
+	bool metric =
+	    (lexicon_text_meanings(second, NULL) & (WORD_MM | WORD_UM)) != 0;
+	if (sieve_read_size(sheet, a, length, &mm) != SIEVE_IS_SIZE ||
+	    sieve_read_size(sheet, b, length, &other) != SIEVE_IS_SIZE ||
+	    (a.value == AS_NUMBER && b.value == AS_NUMBER) ||
+	    !are_same_sieve(mm, other))
+		return;
+	*(metric ? text + n - 1 : open) = '\0';
+	*cell = number_reparse_cell_with_text(
+	    sheet, *cell, text_trim(metric ? open + 1 : text));
+}
+
 static struct sheet_grid
 copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 {
@@ -226,6 +264,7 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 			struct cell cell = row_cell_at(row, c);
 			if (!is_cell_in_range(range.box, row->line, c + 1))
 				cell = row_cell_at(row, row->n_all);
+			cut_cell_to_one_sieve_name(sheet, &cell);
 			*cell_at(&g, r, c) = cell;
 		}
 	}
@@ -257,13 +296,6 @@ mark_in_beside_out_as_feed(struct sheet_grid *g)
 	}
 }
 
-/* True if a number can be a size in phi, which is stated in quarters. */
-static bool
-can_be_phi(double v)
-{
-	return 4 * v == floor(4 * v) && fabs(v) <= SIEVE_MOST_PHI;
-}
-
 /* True if the first column has -16, -11.2, -8, without a unit, for what passes
  * these sieves: all its numbers are below 0, but for a 16 or +16 beside -16,
  * and the sizes of sieves, and some cannot be in phi. */
@@ -284,7 +316,7 @@ has_bare_sizes_below(const struct sheet_grid *g)
 			return false;
 		below += v < 0;
 		above += v > 0;
-		odd += !can_be_phi(v);
+		odd += 4 * v != floor(4 * v) || fabs(v) > SIEVE_MOST_PHI;
 		last = v;
 	}
 	return below >= LEAST && above <= 1 && odd > 0;
@@ -636,17 +668,6 @@ find_table_end(const struct sheet_grid *g, struct place *p)
 	p->score = standard;
 }
 
-/* Returns the column of the next heading of sieves in row r, or n_col.  Skips
- * one immediately beside column c, which has the same sieves in other words. */
-static size_t
-next_sieve_heading(const struct sheet_grid *g, size_t r, size_t c)
-{
-	size_t k = c + 2;
-	while (k < g->n_col && !is_sieve_heading(g, r, k))
-		k++;
-	return k < g->n_col ? k : g->n_col;
-}
-
 /* The sizes of a table, from the top: how many there are, how many are above or
  * below the one before, and how many differ from it by 1, as a count of samples
  * does. */
@@ -734,8 +755,13 @@ find_tables_with_headings(struct sheet_grid *g)
 		for (size_t c = 0; c < g->n_col; c++) {
 			if (!is_sieve_heading(g, r, c))
 				continue;
-			struct place p = {c, r, r + 1, 0,
-			    next_sieve_heading(g, r, c), 0, false};
+			/* The column immediately beside it has the same sieves
+			 * in other words. */
+			size_t end = c + 2;
+			while (end < g->n_col && !is_sieve_heading(g, r, end))
+				end++;
+			end = end < g->n_col ? end : g->n_col;
+			struct place p = {c, r, r + 1, 0, end, 0, false};
 			g->phi[c] = g->phi[c] || is_phi_heading(g, r, c);
 			while (p.first < g->n_row && p.first < r + 4 &&
 			       !is_sieve_size_or_pan_cell(g, p.first, c) &&
@@ -783,14 +809,6 @@ is_heading_of_other_than_sieves(const struct sheet_grid *g, size_t r, size_t c)
 	return (means & other) != 0 && (means & WORD_SIZE) == 0;
 }
 
-static bool
-is_pan_row(const struct sheet_grid *g, size_t r, size_t c)
-{
-	double mm;
-	return sieve_kind_of_cell(g, r, c, &mm) == SIEVE_IS_PAN &&
-	       has_number_beside(g, r, c, g->n_col);
-}
-
 /* Finds tables without headings: numbers that only fall or only rise, but not
  * as a count does, and nearly all of which are sizes of real sieves. */
 static void
@@ -808,7 +826,10 @@ find_tables_without_headings(struct sheet_grid *g)
 			find_table_end(g, &p);
 			struct sequence size =
 			    count_size_rises_and_falls(g, &p);
-			while (p.first > 0 && is_pan_row(g, p.first - 1, c))
+			while (p.first > 0 &&
+			       sieve_kind_of_cell(g, p.first - 1, c, &mm) ==
+				   SIEVE_IS_PAN &&
+			       has_number_beside(g, p.first - 1, c, g->n_col))
 				p.first--;
 			bool ordered = size.rises + 1 == size.n ||
 				       size.falls + 1 == size.n;
@@ -853,16 +874,6 @@ end_of_ordered_numbers(
 	return r;
 }
 
-/* True if two columns have the same heading in the row above their numbers. */
-static bool
-are_column_headings_same(
-    const struct sheet_grid *g, size_t r, size_t c, size_t other)
-{
-	return r > 0 && is_cell_filled(g, r - 1, c) &&
-	       strcmp(cell_at(g, r - 1, c)->text,
-		   cell_at(g, r - 1, other)->text) == 0;
-}
-
 /* Finds the next series of numbers in a column, from row p->last on, that may
  * be sizes and have numbers beside them.  *phi: they may be in phi. */
 static bool
@@ -876,14 +887,16 @@ find_next_ordered_numbers(
 		size_t end = end_of_ordered_numbers(g, r, c, &sizes, phi);
 		r = end > r ? end - 1 : r;
 		const struct place *upper = &g->place[0];
-		bool like = g->n_place == 0 || (first == upper->first &&
-						   are_column_headings_same(
-						       g, first, c, upper->c));
+		bool head = first > 0 && is_cell_filled(g, first - 1, c);
+		bool like =
+		    g->n_place == 0 ||
+		    (first == upper->first && head &&
+			strcmp(cell_at(g, first - 1, c)->text,
+			    cell_at(g, first - 1, upper->c)->text) == 0);
 		if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
 		    is_heading_of_other_than_sieves(g, first, c) || !like)
 			continue;
-		bool head = first > 0 && is_cell_filled(g, first - 1, c) &&
-			    !is_sieve_size_or_pan_cell(g, first - 1, c);
+		head = head && !is_sieve_size_or_pan_cell(g, first - 1, c);
 		*p = (struct place){c, head ? first - 1 : g->n_row, first, end,
 		    g->n_col, (int)(end - first), true};
 		return true;

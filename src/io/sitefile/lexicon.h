@@ -75,8 +75,8 @@ enum lexicon_key {
 	N_KEY
 };
 
-/* Returns the key that matches a text, ignoring case, accents and a colon at its
- * end, or N_KEY. */
+/* Returns the key that matches a text, ignoring case, accents and a colon at
+ * its end, or N_KEY. */
 enum lexicon_key lexicon_site_key_of_text(const char *text);
 
 #endif

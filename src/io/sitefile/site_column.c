@@ -389,8 +389,8 @@ total_mass_on_sieves(struct column *c)
 	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
-	if (isnan(c->pan) && isnan(total))
-		return fault_no_pan(c);
+	if (isnan(c->pan) && isnan(total)) /* a twin is not needed */
+		return c->twin > 0 ? 0 : fault_no_pan(c);
 	if (cumulative)
 		return total;
 	if (isnan(c->pan) && total < sum * (1 - MASS_TOLERANCE)) {
@@ -520,15 +520,6 @@ set_top_size_from_class(struct column *c)
 	return c->top > 0;
 }
 
-/* Notes the coarsest sieve of a feed if it does not pass everything, because
- * the size of the largest grains must be known. */
-static void
-record_feed_top_below_100(struct column *c)
-{
-	size_t i = coarsest_row_with_value(c);
-	c->below = i < c->table->n_row && c->pct[i] < 100 ? i + 1 : 0;
-}
-
 void
 site_column_read_values(struct column *c)
 {
@@ -543,8 +534,11 @@ site_column_read_values(struct column *c)
 		check_passing_never_rises(c);
 	}
 	bool whole = c->role != SD && !c->faulty && !t->lost;
-	if (whole && !set_top_size_from_class(c) && c->role == FEED)
-		record_feed_top_below_100(c);
+	if (whole && !set_top_size_from_class(c) && c->role == FEED) {
+		/* the size of the largest grains must be known */
+		size_t i = coarsest_row_with_value(c);
+		c->below = i < t->n_row && c->pct[i] < 100 ? i + 1 : 0;
+	}
 	size_t least = c->role == FEED ? 2 : 1;
 	if (c->role == SD || c->twin > 0 || c->faulty || t->lost ||
 	    site_column_count_values(c) >= least)

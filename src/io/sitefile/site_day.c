@@ -54,19 +54,6 @@ format_date_for_site(const char *text)
 	return day;
 }
 
-/* Returns the text of column c in a row of headings.  An empty cell takes that
- * of the cell to its left, which spreads over it; but not if the samples are in
- * lines, where an empty cell below a day may mean the same day, or have been
- * forgotten. */
-static const char *
-heading_text_at_or_left_of_cell(const struct table *t, size_t r, size_t c)
-{
-	const struct cell *cell = t->head[r].cell;
-	while (!t->across && c > 1 && cell[c].text[0] == '\0')
-		c--;
-	return cell[c].text;
-}
-
 /* Takes the day that `text`, a cell of a row, states for a sample: into *stated
  * if the row's label says that it is the day of sampling, else into *other.  If
  * two days differ, "" is kept. */
@@ -95,9 +82,15 @@ site_day_of_sample(const struct table *t, size_t c)
 	struct datetime m;
 	if (t->day != NULL && t->day[c] != NULL && is_date(t->day[c], &m))
 		return format_date_for_site(t->day[c]);
-	for (size_t r = 0; r < t->n_head; r++)
-		parse_day_in_cell(&stated, &other, &t->head[r],
-		    heading_text_at_or_left_of_cell(t, r, c));
+	for (size_t r = 0; r < t->n_head; r++) {
+		const struct cell *cell = &t->head[r].cell[c];
+		/* A day spreads to the right; but an empty cell below one may
+		 * mean the same day, or have been forgotten. */
+		while (!t->across && cell > &t->head[r].cell[1] &&
+		       cell->text[0] == '\0')
+			cell--;
+		parse_day_in_cell(&stated, &other, &t->head[r], cell->text);
+	}
 	for (size_t r = 0; r < t->n_foot; r++)
 		if (lexicon_is_date_label(t->foot[r].cell[0].text))
 			parse_day_in_cell(&stated, &other, &t->foot[r],

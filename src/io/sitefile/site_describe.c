@@ -30,14 +30,6 @@ numbers_to_ranges_text(const size_t *number, size_t n)
 	return text;
 }
 
-static bool
-is_in_tipspeed_format(const struct table *t)
-{
-	return t->n_head == 1 && !t->across && t->name == NULL &&
-	       !t->finest_first &&
-	       strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
-}
-
 /* Appends "product@69" or, after another product, only "@79". */
 static void
 append_role_and_speed_text(
@@ -93,16 +85,6 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 	free(roles);
 }
 
-/* True if two tables have their sieves in the same column or line, in the same
- * order and unit. */
-static bool
-has_sieves_in_same_place(const struct table *a, const struct table *b)
-{
-	return a->across == b->across && a->number[0] == b->number[0] &&
-	       a->finest_first == b->finest_first &&
-	       strcmp(site_sieve_unit_text(a), site_sieve_unit_text(b)) == 0;
-}
-
 /* Returns the name of a table's file or, if all are in one file, of its sheet;
  * "" if all are on one sheet. */
 static const char *
@@ -126,7 +108,13 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 		const struct table *t = table[k];
 		const char *place = file_or_sheet_name_of_table(table, n, k);
 		FREED char *own = xstrdup("");
-		if (k == 0 || !has_sieves_in_same_place(table[k - 1], t))
+		const struct table *before = table[k > 0 ? k - 1 : 0];
+		bool same = before->across == t->across &&
+			    before->number[0] == t->number[0] &&
+			    before->finest_first == t->finest_first &&
+			    strcmp(site_sieve_unit_text(before),
+				site_sieve_unit_text(t)) == 0;
+		if (k == 0 || !same)
 			xappend_to_list(&own, "; ",
 			    t->finest_first
 				? tr("sieves in %s %zu (%s, finest first)")
@@ -185,8 +173,12 @@ site_describe_columns(struct table *const *table, size_t n_table,
     const struct columns *all, struct site *site)
 {
 	bool own = true;
-	for (size_t k = 0; k < n_table; k++)
-		own = own && is_in_tipspeed_format(table[k]);
+	for (size_t k = 0; k < n_table; k++) {
+		const struct table *t = table[k];
+		own = own && t->n_head == 1 && !t->across && t->name == NULL &&
+		      !t->finest_first &&
+		      strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
+	}
 	if (!own) {
 		free(site->read_as);
 		site->read_as = describe_tables(table, n_table, all);

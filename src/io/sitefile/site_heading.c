@@ -79,16 +79,6 @@ rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 	return mm < 100 || mm > 5000 ? 0 : mm;
 }
 
-/* Takes the rotor's diameter if a key and value state it. */
-static bool
-site_heading_parse_rotor(struct site *site, const struct sheet *sheet,
-    struct cell key, struct cell value)
-{
-	double mm = rotor_mm_of_key(sheet, key, value);
-	site->rotor = mm > 0 ? mm / 1000 : site->rotor;
-	return mm > 0;
-}
-
 /* Takes a speed in m/s or rpm (0: not stated).  If another one was taken
  * before, sets speed->differ. */
 static void
@@ -288,12 +278,12 @@ set_site_field_from_next_key(struct site *site, struct sheet *sheet,
 		site_heading_set_site_field(site, k, sheet, value);
 		/* The name of a machine may state its rotor, too. */
 		if (k == KEY_MACHINE && !(site->rotor > 0))
-			site_heading_parse_rotor(site, sheet, key, value);
+			site->rotor = rotor_mm_of_key(sheet, key, value) / 1000;
 	} else {
-		bool taken =
-		    n > 1 &&
-		    (site_heading_parse_rotor(site, sheet, key, value) ||
-			site_heading_parse_speed(sheet, key, value, speed));
+		double mm = n > 1 ? rotor_mm_of_key(sheet, key, value) : 0;
+		site->rotor = mm > 0 ? mm / 1000 : site->rotor;
+		bool taken = mm > 0 || (n > 1 && site_heading_parse_speed(
+						     sheet, key, value, speed));
 		double number;
 		if (n > 2 && number_value_of_cell(third, &number))
 			note_numbers_above_table(site, &key);

@@ -193,22 +193,16 @@ check_sample_columns_agree(const struct columns *all, const struct column *twin)
 	}
 }
 
-/* Returns the cell in which the numbers of an empty table should begin. */
-static struct cell
-cell_where_numbers_begin(const struct table *t)
-{
-	const struct row *row = &t->row[0];
-	return row->n_all > 1 ? row->cell[1] : site_sieve_heading_cell(t);
-}
-
 /* Reports a missing feed, product or number. */
 static void
 report_missing_columns(struct reading *r)
 {
 	bool parts = r->request->parts;
+	const struct row *top = &r->table[0]->row[0];
 	if (r->all.n == 0)
 		sheet_report_fault(r->table[0]->sheet,
-		    cell_where_numbers_begin(r->table[0]),
+		    top->n_all > 1 ? top->cell[1]
+				   : site_sieve_heading_cell(r->table[0]),
 		    "expected numbers below the headings, got none\nfill in "
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
@@ -487,14 +481,6 @@ note_left_out_sums(struct reading *r, const struct page *page)
 		}
 }
 
-/* True if a remark states the rotor diameter that is already known. */
-static bool
-does_remark_repeat_known_rotor(const struct site *site, const char *text)
-{
-	double mm = rotor_diameter_mm_in_text(text, false);
-	return mm > 0 && fabs(mm - 1000 * site->rotor) < 0.5;
-}
-
 /* Returns the samples of a table: "feed" or "product@64, product@72". */
 static char *
 samples_of_table_text(const struct columns *all, const struct table *t)
@@ -562,8 +548,9 @@ is_line_already_read(
 	bool cut = r->request->parts &&
 		   title_find_table_below_line(layout, row) != NULL;
 	FREED char *day = cut ? site_heading_date_of_line(row) : NULL;
+	double mm = rotor_diameter_mm_in_text(words, false);
 	return day != NULL || row->line <= layout->table[0].row[0].line ||
-	       does_remark_repeat_known_rotor(r->site, words) ||
+	       (mm > 0 && fabs(mm - 1000 * r->site->rotor) < 0.5) ||
 	       layout->read[i];
 }
 
@@ -738,8 +725,18 @@ check_speed_given_for_file(const struct columns *all, size_t i, double given)
 	}
 }
 
-/* Returns the rotor's diameter, m, or 0: the sheet's or, for cuts, that of their
- * site. */
+/* Takes a speed given for a file instead of that of the sheet; the rotor is
+ * needed to compare one in rpm with those of the columns. */
+static void
+take_given_speed(struct reading *r, double given, struct surroundings *near)
+{
+	near->speed = fmax(given, 0);
+	near->rpm = fmax(-given, 0);
+	r->open.rotor = r->open.rotor || (given < 0 && near->rotor == 0);
+}
+
+/* Returns the rotor's diameter, m, or 0: the sheet's or, for cuts, that of
+ * their site. */
 static double
 rotor_of_reading(const struct reading *r)
 {
@@ -773,11 +770,8 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
 		r->open.other = t;
-	if (given != 0) {
-		near.speed = fmax(given, 0);
-		near.rpm = fmax(-given, 0);
-		r->open.rotor = r->open.rotor || (given < 0 && near.rotor == 0);
-	}
+	if (given != 0)
+		take_given_speed(r, given, &near);
 	bool named = read_speed_from_file_name(q, q->path[page->file], &near);
 	uint64_t sieve = samples_set_column_headings(&r->columns, t);
 	if (!layout_long_to_wide(t, sieve)) {

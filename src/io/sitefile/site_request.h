@@ -13,15 +13,16 @@ struct cell_range {
 
 /* The files [n] to read as one site, and options, which are NULL or 0 if not
  * given.  speed [n]: the speed of the samples in each file: tip speed, m/s; or
- * below 0: rpm; or 0: the sheet states it.  columns: "1=sieve mm, 3=feed retained_g", by number from 1
- * (of lines if the sieves are in one line); samples: "S01=feed, S02=@70", by
- * name.  Columns and samples that are not named there are not read.  range:
- * "A3:F20".  decimal: '.' or ','.  rotor: diameter, m.  top: the size, mm, that
- * all of a feed passes, if not all passes its coarsest sieve.  parts: the
- * samples are products to add to a site, and need no feed; site_rotor: that
- * site's rotor diameter, m, for sheets that state none.  feed: only the feed is
- * read, which may be a single sample without a role.  text: the content of the
- * only file, which is then not opened, though path still names it. */
+ * below 0: rpm; or 0: the sheet states it.  columns: "1=sieve mm, 3=feed
+ * retained_g", by number from 1 (of lines if the sieves are in one line);
+ * samples: "S01=feed, S02=@70", by name.  Columns and samples that are not
+ * named there are not read.  range: "A3:F20".  decimal: '.' or ','.  rotor:
+ * diameter, m.  top: the size, mm, that all of a feed passes, if not all passes
+ * its coarsest sieve.  parts: the samples are products to add to a site, and
+ * need no feed; site_rotor: that site's rotor diameter, m, for sheets that
+ * state none.  feed: only the feed is read, which may be a single sample
+ * without a role.  text: the content of the only file, which is then not
+ * opened, though path still names it. */
 struct site_request {
 	size_t n;
 	const char *const *path;

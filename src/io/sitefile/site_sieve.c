@@ -512,6 +512,7 @@ site_sieve_uncomment_astm_rows(struct sheet *sheet)
 		bool cells = c->row.cell != NULL
 				 ? c->row.n > 1
 				 : c->text[strcspn(c->text, separator)] != '\0';
+		first[strcspn(first, "([")] = '\0'; /* #4 (4.75 mm) */
 		/* "#" alone heads a column of numbers. */
 		bool head = strcmp(first, "#") == 0;
 		if (cells &&

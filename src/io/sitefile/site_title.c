@@ -539,17 +539,6 @@ titles_are_speed_series(
 	return one;
 }
 
-/* True if the number after a word's letters is the speed of sample c, as in
- * P72. */
-static bool
-does_word_end_with_speed(
-    const char *word, size_t letters, const struct column *c)
-{
-	char *end;
-	double number = strtod(word + letters, &end);
-	return end > word + letters && (number == c->speed || number == c->rpm);
-}
-
 /* Returns the folded text without what may differ from test to test: speeds,
  * dates, the number after "test", and default names of sheets.  c: the product
  * of the test.  The caller frees it. */
@@ -572,8 +561,12 @@ strip_text_to_test_run_name(const char *text, const struct column *c)
 			named =
 			    named || (strlen(COUNTED[i]) == letters && n > 0 &&
 					 strncmp(p, COUNTED[i], letters) == 0);
-		size_t kept =
-		    does_word_end_with_speed(p, letters, c) ? letters : n;
+		/* as in P72 */
+		char *end;
+		double v = strtod(p + letters, &end);
+		bool speed =
+		    end > p + letters && (v == c->speed || v == c->rpm);
+		size_t kept = speed ? letters : n;
 		if (kept > 0 && !date && !named && !(number && counts))
 			xappend_to_list(&name, " ", "%.*s", (int)kept, p);
 		counts = n > 0 ? named : counts;
@@ -589,17 +582,6 @@ has_same_test_name(const char *a, const struct column *first, const char *b,
 	FREED char *one = strip_text_to_test_run_name(a, first),
 		   *other = strip_text_to_test_run_name(b, c);
 	return strcmp(one, other) == 0;
-}
-
-/* True if two sheets belong to one series of tests: their names are days, or
- * differ only as names of tests do. */
-static bool
-is_sheet_in_same_test_series(const struct sheet *a, const struct column *first,
-    const struct sheet *b, const struct column *c)
-{
-	return has_same_test_name(a->name, first, b->name, c) ||
-	       (datetime_is_day_in_words(a->name) &&
-		   datetime_is_day_in_words(b->name));
 }
 
 /* Returns the product of a table that has one product and one feed, or NULL. */
@@ -623,8 +605,10 @@ titles_are_separate_tests(
 		    only_product_column_of_table(all, first);
 		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
 		    title_mentions_limits_or_mean(t) ||
-		    !is_sheet_in_same_test_series(
-			first->sheet, one, t->sheet, c) ||
+		    (!has_same_test_name(
+			 first->sheet->name, one, t->sheet->name, c) &&
+			!(datetime_is_day_in_words(first->sheet->name) &&
+			    datetime_is_day_in_words(t->sheet->name))) ||
 		    !has_same_test_name(
 			title_tail_as_long_as_other(first->title, t->title),
 			one, t->title, c))

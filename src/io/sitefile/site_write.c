@@ -51,13 +51,6 @@ has_deviations_at_speed(const struct site *site, double speed)
 	return false;
 }
 
-/* Converts a fraction, rounded to 14 decimals, to the unit of the column. */
-static double
-fraction_in_column_unit(const struct curve *c, double fraction)
-{
-	return round(fraction * 1e14) / (c->small ? 1e14 : 1e12);
-}
-
 static void
 write_key_and_value(const char *key, const char *value, FILE *out)
 {
@@ -169,8 +162,8 @@ write_sieve_row(struct curve *curve, size_t n, double mm, FILE *out)
 				break;
 			if (!used && c->value != NULL)
 				fputs(text_shortest_exact_number(
-					  fraction_in_column_unit(
-					      c, c->value[c->next]),
+					  round(c->value[c->next] * 1e14) /
+					      (c->small ? 1e14 : 1e12),
 					  number),
 				    out);
 			used = true;

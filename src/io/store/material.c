@@ -163,15 +163,6 @@ parse_param_in_text(const char *text, const char *name)
 	return NAN;
 }
 
-static void
-set_params_from_text(struct params *p, const char *text)
-{
-	memset(p->at, 0, sizeof p->at);
-	for (size_t j = 0; j < count_model_params(p); j++)
-		p->at[j] = parse_param_in_text(
-		    text, breakage_model_of_params(p)->parameter[j].name);
-}
-
 void
 material_set_field(struct material *m, const struct field *f, const char *text)
 {
@@ -195,7 +186,12 @@ material_set_field(struct material *m, const struct field *f, const char *text)
 		m->params.breakage = breakage_find_by_name(text);
 		break;
 	case FIELD_PARAMS:
-		set_params_from_text(&m->params, text);
+		memset(m->params.at, 0, sizeof m->params.at);
+		for (size_t j = 0; j < count_model_params(&m->params); j++)
+			m->params.at[j] = parse_param_in_text(
+			    text, breakage_model_of_params(&m->params)
+				      ->parameter[j]
+				      .name);
 		break;
 	}
 }
@@ -303,21 +299,16 @@ index_of_impossible_param(const struct params *p)
 	return j;
 }
 
-static char *
-model_names_text(void)
-{
-	char *names = xstrdup(tr("one of:"));
-	for (size_t i = 0; i < breakage_count_models(); i++)
-		xappend(&names, " %s", BREAKAGES[i]->name);
-	return names;
-}
-
 char *
 material_valid_values_text(const struct material *m, const struct field *f)
 {
 	const struct params *p = &m->params;
-	if (f->kind == FIELD_MODEL)
-		return model_names_text();
+	if (f->kind == FIELD_MODEL) {
+		char *names = xstrdup(tr("one of:"));
+		for (size_t i = 0; i < breakage_count_models(); i++)
+			xappend(&names, " %s", BREAKAGES[i]->name);
+		return names;
+	}
 	if (f->kind == FIELD_PARAMS &&
 	    index_of_impossible_param(p) < count_model_params(p)) {
 		const struct param_info *info =
