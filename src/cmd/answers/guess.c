@@ -403,15 +403,15 @@ note_material_nearest_to_product(
 	while (misfit_count_covered_sieves(&site->run[run]) == 0)
 		if (++run == site->n_run)
 			return;
-	FREED bool *train = xcalloc(site->n_run, sizeof *train);
+	double top = site_finest_sieve_all_pass(site);
 	for (size_t i = 0; i < b->list.n; i++) {
 		const struct guess_material *m = &b->m[i];
 		if (b->leave_out[i])
 			continue;
-		struct validation v =
-		    validate_run(site, run, train, &m->params, m->settings);
-		if (v.rmse[VALIDATE_MODEL] < least) {
-			least = v.rmse[VALIDATE_MODEL];
+		double rmse = validate_rmse_of_model(
+		    &site->run[run], top, &m->params, m->settings);
+		if (rmse < least) {
+			least = rmse;
 			best = i;
 		}
 	}

@@ -34,14 +34,13 @@ fit_largest_rmse_of_runs(const struct entry *entry, const struct params *params,
     struct model_settings settings, bool holdout)
 {
 	const struct site *site = entry->site;
-	double largest = NAN;
+	double top = site_finest_sieve_all_pass(site), largest = NAN;
 	for (size_t r = 0; r < site->n_run; r++) {
 		if ((holdout && entry->train[r]) ||
 		    misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
-		struct validation v =
-		    validate_run(site, r, entry->train, params, settings);
-		largest = fmax(largest, v.rmse[VALIDATE_MODEL]);
+		largest = fmax(largest, validate_rmse_of_model(&site->run[r],
+					    top, params, settings));
 	}
 	return largest;
 }

@@ -71,10 +71,10 @@ add_trust_reasons_of_params_origin(
 {
 	const struct origin *o = entry->origin;
 	bool same = o->found && o->digest == entry->site->digest;
-	double error = fit_largest_rmse_of_runs(
-	    entry, &entry->params, s->set.model, false);
 	if (same && origin_fit_behind_params(entry) != NULL)
 		return;
+	double error = fit_largest_rmse_of_runs(
+	    entry, &entry->params, s->set.model, false);
 	if (same)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_ORIGIN,
 		    xasprintf(

@@ -44,7 +44,7 @@ document_free(struct document *d)
 static void
 append_document_part(struct document *d, struct document_part part)
 {
-	d->part = xrealloc(d->part, d->n + 1, sizeof *d->part);
+	d->part = xgrow_by_one(d->part, d->n, sizeof *d->part);
 	d->part[d->n++] = part;
 }
 

@@ -134,7 +134,7 @@ break_into_lines(struct pdf_layout *p, const char *words, double width,
 			? strlen(text)
 			: text_length_fitting_line(p, text, width, style);
 		lines.line =
-		    xrealloc(lines.line, lines.n + 1, sizeof *lines.line);
+		    xgrow_by_one(lines.line, lines.n, sizeof *lines.line);
 		lines.line[lines.n++] = xstrndup(text, n);
 		text += n;
 		text += strspn(text, " ");

@@ -135,7 +135,7 @@ prepare_fits_of_site(struct session *s)
 		    site->n_run * sizeof *entry->train);
 	else
 		job_mark_training_runs(site, false, s->job.train);
-	l->sites = xrealloc(l->sites, l->n + 1, sizeof *l->sites);
+	l->sites = xgrow_by_one(l->sites, l->n, sizeof *l->sites);
 	l->sites[l->n++] = (struct site_models){.site = site,
 	    .entry = l->at,
 	    .n_model = l->n_model,

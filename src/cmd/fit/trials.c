@@ -27,7 +27,7 @@ trials_clear(struct trials *c)
 void
 trials_add_trial(struct trials *c, struct trial trial)
 {
-	c->item = xrealloc(c->item, c->n + 1, sizeof *c->item);
+	c->item = xgrow_by_one(c->item, c->n, sizeof *c->item);
 	c->item[c->n++] = trial;
 }
 

@@ -438,7 +438,7 @@ parse_and_append_number(const struct command_option *option, const char *word,
 	double v;
 	if (!parse_number_in_limits(option, word, &v, error))
 		return false;
-	value->list = xrealloc(value->list, value->n + 1, sizeof v);
+	value->list = xgrow_by_one(value->list, value->n, sizeof v);
 	value->list[value->n++] = v;
 	return true;
 }
@@ -478,7 +478,7 @@ parse_range_of_speeds(const struct command_option *option, char *word,
 		    "use a larger step, or several parts",
 		    option->name, (int)NUMBERS_MOST, steps);
 	for (double i = 0; i <= steps; i++) {
-		value->list = xrealloc(value->list, value->n + 1, sizeof from);
+		value->list = xgrow_by_one(value->list, value->n, sizeof from);
 		value->list[value->n++] = from + i * step;
 	}
 	return true;

@@ -38,7 +38,7 @@ add_completion(struct work *w, const char *text, char append)
 	FREED char *shown = text_with_control_escaped(text);
 	if (strcmp(shown, text) != 0)
 		return;
-	c->candidate = xrealloc(c->candidate, c->n + 1, sizeof *c->candidate);
+	c->candidate = xgrow_by_one(c->candidate, c->n, sizeof *c->candidate);
 	c->candidate[c->n++] = (struct candidate){xstrdup(text), append};
 }
 

@@ -46,7 +46,7 @@ record_use_of_file(struct session *s, const char *path, bool written)
 			       strcmp(f->use[i].path, path) != 0))
 		i++;
 	if (i == f->n) {
-		f->use = xrealloc(f->use, ++f->n, sizeof *f->use);
+		f->use = xgrow_by_one(f->use, f->n++, sizeof *f->use);
 		f->use[i] = (struct use_of_file){
 		    .path = xstrdup(path), .written = written};
 	}

@@ -37,7 +37,7 @@ journal_assign_state_number(struct session *s)
 static void
 append_journal_line(struct journal *j, char *line)
 {
-	j->line = xrealloc(j->line, j->n + 1, sizeof *j->line);
+	j->line = xgrow_by_one(j->line, j->n, sizeof *j->line);
 	j->line[j->n++] = line;
 }
 

@@ -89,7 +89,7 @@ make_unique_site_key(struct session *s, const struct site *site)
 void
 session_take_ownership_of_site(struct session *s, struct site *site)
 {
-	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
+	s->site = xgrow_by_one(s->site, s->n_site, sizeof *s->site);
 	s->site[s->n_site++] = site;
 	session_remove_answers(s);
 }

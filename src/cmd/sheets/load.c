@@ -87,8 +87,8 @@ static void
 load_add_path(struct load *l, char *path, double speed)
 {
 	size_t n = l->request.n++;
-	l->path = xrealloc(l->path, n + 1, sizeof(*l->path));
-	l->speed = xrealloc(l->speed, n + 1, sizeof *l->speed);
+	l->path = xgrow_by_one(l->path, n, sizeof(*l->path));
+	l->speed = xgrow_by_one(l->speed, n, sizeof *l->speed);
 	l->path[n] = path;
 	l->speed[n] = speed;
 	l->request.path = (const char *const *)l->path;

@@ -922,10 +922,10 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	const char *path = args->operand[0];
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct material_list there = {0}, list = {0};
-	bool ok = store_list_materials(s->store, &there, error);
+	bool ok =
+	    args->replace || store_list_materials(s->store, &there, error);
 	files_record_read(s, path);
-	if (ok && !store_csv_read_file(
-		      path, args->replace ? NULL : &there, &list, &errors))
+	if (ok && !store_csv_read_file(path, &there, &list, &errors))
 		ok = session_report_file_faults(s, path, &errors, error);
 	ok = ok && store_save_materials(
 		       s->store, list.item, list.n, args->replace, error);

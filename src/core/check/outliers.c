@@ -39,7 +39,7 @@ enum { CELLS = 3 };
 static struct finding *
 add_outlier_finding(struct outlier_findings *d, struct mend mend)
 {
-	d->finding = xrealloc(d->finding, d->n + 1, sizeof *d->finding);
+	d->finding = xgrow_by_one(d->finding, d->n, sizeof *d->finding);
 	struct finding *f = &d->finding[d->n++];
 	*f = (struct finding){.mend = mend,
 	    .measured = NAN,

@@ -235,6 +235,18 @@ validate_run(const struct site *site, size_t run, const bool *train,
 	return validate_run_from_predictions(site, run, train, passing);
 }
 
+double
+validate_rmse_of_model(const struct run *run, double top,
+    const struct params *p, struct model_settings settings)
+{
+	size_t n = misfit_count_covered_sieves(run),
+	       idle = misfit_count_uninformative_sieves(run, top);
+	FREED double *passing = xcalloc_doubles(n);
+	fill_model_passings(run, p, settings, passing);
+	return psd_rms_difference(
+	    passing + idle, run->product.passing + idle, n - idle, NULL);
+}
+
 enum validate_way
 validate_way_of_least_rmse(const double rmse[static VALIDATE_WAYS])
 {

@@ -62,6 +62,10 @@ double *validate_predict_by_all_ways(const struct site *site, size_t run,
 struct validation validate_run_from_predictions(const struct site *site,
     size_t run, const bool *train, const double *passing);
 
+/* Returns the rmse of VALIDATE_MODEL alone.  top: that of misfit.h. */
+double validate_rmse_of_model(const struct run *run, double top,
+    const struct params *p, struct model_settings settings);
+
 /* Returns the way with the smallest RMSE. */
 enum validate_way validate_way_of_least_rmse(
     const double rmse[static VALIDATE_WAYS]);

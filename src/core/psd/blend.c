@@ -7,6 +7,17 @@
 
 #include "base/xalloc.h"
 
+static bool
+have_same_sieves(const struct psd *a, const struct psd *b)
+{
+	size_t i = 0;
+	while (i < a->n && i < b->n && a->size[i] == b->size[i])
+		i++;
+	return i == a->n && i == b->n;
+}
+
+/* Most curves of a site have the sieves of the one before, and are left out of
+ * the sort, which would otherwise take longest. */
 struct psd
 blend_list_sieves(const struct psd *const *curve, size_t n)
 {
@@ -16,8 +27,9 @@ blend_list_sieves(const struct psd *const *curve, size_t n)
 	struct psd all = psd_new(room);
 	all.n = 0;
 	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < curve[i]->n; k++)
-			all.size[all.n++] = curve[i]->size[k];
+		if (i == 0 || !have_same_sieves(curve[i], curve[i - 1]))
+			for (size_t k = 0; k < curve[i]->n; k++)
+				all.size[all.n++] = curve[i]->size[k];
 	all.n = psd_sort_distinct_sizes(all.size, all.n, 0);
 	return all;
 }

@@ -341,7 +341,8 @@ site_all_sieves(const struct site *site, size_t *n)
 	FREED const struct psd **curve =
 	    xcalloc(2 * site->n_run, sizeof *curve);
 	for (size_t i = 0; i < 2 * site->n_run; i++)
-		curve[i] = site_feed_or_product(site, i / 2, i % 2 == 0);
+		curve[i] = site_feed_or_product(
+		    site, i % site->n_run, i < site->n_run);
 	struct psd all = blend_list_sieves(curve, 2 * site->n_run);
 	free(all.passing);
 	*n = all.n;
@@ -353,8 +354,8 @@ site_finest_sieve_all_pass(const struct site *site)
 {
 	double top = 0;
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
-		const struct psd *p = i % 2 == 0 ? &site->run[i / 2].feed
-						 : &site->run[i / 2].product;
+		const struct psd *p =
+		    site_feed_or_product(site, i / 2, i % 2 == 0);
 		for (size_t k = p->n; k-- > 0;)
 			if (p->passing[k] >= 1) {
 				top = fmax(top, p->size[k]);

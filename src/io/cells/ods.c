@@ -305,7 +305,7 @@ ods_end_cell(struct reading *r)
 {
 	struct content *c = &r->content;
 	if (c->type != NULL || c->formula != NULL || c->said.n > 0) {
-		r->kept = xrealloc(r->kept, r->n_kept + 1, sizeof *r->kept);
+		r->kept = xgrow_by_one(r->kept, r->n_kept, sizeof *r->kept);
 		r->kept[r->n_kept++] =
 		    (struct kept){r->at.column, r->cells, *c};
 		*c = (struct content){0};

@@ -192,7 +192,7 @@ skip_to_end_of_cell(struct sheet *sheet, struct cursor *c, int line)
 static void
 append_cell_to_row(struct row *row, char *text, int column)
 {
-	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
+	row->cell = xgrow_by_one(row->cell, row->n_all, sizeof *row->cell);
 	row->cell[row->n_all++] =
 	    (struct cell){.text = text, .line = row->line, .column = column};
 }
@@ -516,10 +516,10 @@ static struct row *
 find_or_insert_sheet_row(struct sheet *sheet, int line)
 {
 	size_t n = count_rows_to_line(sheet, line);
+	if (n > 0 && sheet->row[n - 1].line == line)
+		return &sheet->row[n - 1];
 	sheet->row = xgrow_by_one(sheet->row, sheet->n_row, sizeof *sheet->row);
 	struct row *row = &sheet->row[n];
-	if (n > 0 && row[-1].line == line)
-		return &row[-1];
 	memmove(row + 1, row, (sheet->n_row++ - n) * sizeof *row);
 	*row = (struct row){.line = line, .end = 1};
 	return row;
@@ -563,8 +563,8 @@ sheet_separate_comment_rows(struct sheet *sheet)
 		if (row.n == 0) {
 			free_row_cells(&row);
 		} else if (is_remark_row(&row)) {
-			sheet->comment = xrealloc(sheet->comment,
-			    sheet->n_comment + 1, sizeof *sheet->comment);
+			sheet->comment = xgrow_by_one(sheet->comment,
+			    sheet->n_comment, sizeof *sheet->comment);
 			sheet->comment[sheet->n_comment++] =
 			    (struct comment){row.line, row.cell[0].text, row};
 		} else {

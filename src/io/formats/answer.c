@@ -298,7 +298,7 @@ static void
 add_sentence_to_answer(struct answer *a, enum answer_grade grade, char *text)
 {
 	a->sentence =
-	    xrealloc(a->sentence, a->n_sentence + 1, sizeof *a->sentence);
+	    xgrow_by_one(a->sentence, a->n_sentence, sizeof *a->sentence);
 	a->sentence[a->n_sentence++] =
 	    (struct answer_sentence){grade, text, NULL};
 }

@@ -1046,7 +1046,7 @@ static void
 append_sheet_table_row(const struct sheet_grid *g, size_t r, const size_t *col,
     size_t n, struct row **list, size_t *n_list)
 {
-	*list = xrealloc(*list, *n_list + 1, sizeof **list);
+	*list = xgrow_by_one(*list, *n_list, sizeof **list);
 	(*list)[(*n_list)++] = make_table_row_from_grid(g, r, col, n);
 	for (size_t i = 0; i < n; i++)
 		cell_classification_at(g, r, col[i])->used = true;

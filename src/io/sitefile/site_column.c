@@ -226,7 +226,7 @@ read_column_cells(struct column *c)
 			v = cell.number;
 		else
 			good = trace || number_read_cell(
-					    t->sheet, cell, tr("a number"), &v);
+					    t->sheet, cell, N_("a number"), &v);
 		if (good && t->mm[i] <= 0)
 			good = read_pan_cell(c, cell, v);
 		else if (good &&

@@ -853,7 +853,6 @@ store_remove_material(
 	if (!store_open(store, false, error))
 		return false;
 	bool none = store->db == NULL;
-	store_close(store);
 	if (!visit_query_rows(
 		store, SQL, &query, read_count_from_row, &n, error))
 		return false;
