@@ -12,6 +12,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/fit/job.h"
+#include "io/fs/file.h"
 #include "io/sitefile/site_request.h"
 #include "io/sitefile/units.h"
 
@@ -332,13 +333,15 @@ session_find_site(
 		*index = last;
 		return true;
 	}
+	bool file = best == 0 && file_exists(name);
 	FREED char *keys = matching_site_keys_text(s, best > 0 ? name : NULL);
 	return error_set(error, ERROR_USAGE,
 	    best > 0 ? N_("several sites are called '%s'\nuse one of: %s")
+	    : file   ? N_("no site '%s' is loaded\nit is a file: load %s")
 	    : keys[0] != '\0'
 		? N_("no site '%s' is loaded\nloaded: %s")
 		: N_("no site '%s' is loaded\nload its file first%s"),
-	    name, keys);
+	    name, file ? name : keys);
 }
 
 bool

@@ -137,7 +137,8 @@ find_export_columns_in_heading(
 		if (c == n)
 			sheet_report_expected(sheet, cell,
 			    "the name of a column of 'export'",
-			    "use the columns that 'export' writes");
+			    "use the columns that 'export' writes; load reads "
+			    "site files");
 		else if (column[c].at != SIZE_MAX)
 			sheet_report_fault(sheet, cell,
 			    "duplicate column: %s\n"
