@@ -462,7 +462,8 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 	struct report_request ask = {.q = q};
 	const char *file = args->n_operand == 1 ? args->operand[0] : "";
 	bool named =
-	    text_ends_with(file, ".html") || text_ends_with(file, ".pdf");
+	    strchr(file, ' ') == NULL &&
+	    (text_ends_with(file, ".html") || text_ends_with(file, ".pdf"));
 	if (s->document == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "report: expected a file for it, .html or .pdf\n"

@@ -770,6 +770,14 @@ check_operand_is_no_option(
 	return error_set_hint(error, "write %s=VALUE", name);
 }
 
+/* Returns the word as it has to be typed: with a space it needs quotes. */
+static char *
+word_as_typed(const char *word)
+{
+	return strchr(word, ' ') != NULL ? text_add_quotes(word)
+					 : xstrdup(word);
+}
+
 static bool
 check_number_of_operands(const struct args *args, struct error *error)
 {
@@ -785,6 +793,7 @@ check_number_of_operands(const struct args *args, struct error *error)
 	if (more != NULL && !check_operand_is_no_option(command, more, error))
 		return false;
 	FREED char *usage = command_usage_text(command);
+	FREED char *file = word_as_typed(more != NULL ? more : "");
 	error_set(error, ERROR_USAGE,
 	    more != NULL ? N_("%s: unexpected word '%s'\n"
 			      "usage: %s")
@@ -794,7 +803,7 @@ check_number_of_operands(const struct args *args, struct error *error)
 	    usage);
 	if (more != NULL &&
 	    text_file_ending(more, FILES, ARRAY_LEN(FILES)) < ARRAY_LEN(FILES))
-		error_set_hint(error, "for a file of results write > %s", more);
+		error_set_hint(error, "for a file of results write > %s", file);
 	else if (more == NULL && kinds != NULL &&
 		 islower((unsigned char)*kinds))
 		error_set_hint(error, "write one of: %s", kinds);
@@ -822,10 +831,11 @@ hint_option_in_two_words(const struct command *command,
 			    (words->column[i - 1] == column ||
 				words->column[i] == column);
 		const char *of = here ? strchr(value, '=') : NULL;
+		FREED char *quoted = word_as_typed(of != NULL ? of + 1 : value);
 		if ((signs == 1 || ends || here) &&
 		    command_option_index(command, key) < OPTIONS)
-			error_set_hint(error, "write it as one word: %s=%s",
-			    key, of != NULL ? of + 1 : value);
+			error_set_hint(
+			    error, "write it as one word: %s=%s", key, quoted);
 	}
 }
 

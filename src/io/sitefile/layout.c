@@ -1017,7 +1017,8 @@ is_further_heading_row(
 		return false;
 	const char *key = cell_at(g, r, p->c)->text;
 	if (!g->across && lexicon_site_key_of_text(key) != N_KEY)
-		return is_name_for_each_product(g, r, p, filled);
+		return is_name_for_each_product(g, r, p, filled) ||
+		       (filled > 1 && text_ends_with(key, ":"));
 	/* The command add writes a line such as cut, "72 m/s, 2026-05-04". */
 	if (strcmp(key, "cut") == 0 && filled == 1 &&
 	    strstr(cell_at(g, r, p->c + 1)->text, ", ") != NULL)

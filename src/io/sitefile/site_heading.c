@@ -317,7 +317,8 @@ site_heading_read(const struct layout *layout, struct sheet *sheet,
 }
 
 /* Returns the rotor's diameter, mm, that a line states in words or, if it has
- * none, as the value of a key; 0 if it states none, -1 if two differ. */
+ * none, as the value of a key of known words, so not of "Rotor hours"; 0 if it
+ * states none, -1 if two differ. */
 static double
 rotor_mm_of_line(const struct sheet *sheet, const struct row *row)
 {
@@ -331,7 +332,10 @@ rotor_mm_of_line(const struct sheet *sheet, const struct row *row)
 	    mm == 0 &&
 	    next_key_and_value(row, &at, &key, &value, &third, &copy) == 2 &&
 	    lexicon_site_key_of_text(key.text) == N_KEY;
-	return pair ? rotor_mm_of_key(sheet, key, value) : mm;
+	size_t unknown = 0;
+	if (pair)
+		lexicon_text_meanings(key.text, &unknown);
+	return pair && unknown == 0 ? rotor_mm_of_key(sheet, key, value) : mm;
 }
 
 void
