@@ -109,22 +109,6 @@ result $? "SIGUSR1 gets a line in a script, too"
 kill -s TERM $pid
 wait $pid
 
-# A terminal with other letters than UTF-8 is told so; in the locale C it may have them.
-if command -v expect >/dev/null &&
-	localedef -i sv_SE -f ISO-8859-1 ./sv_SE.ISO-8859-1 >out 2>&1; then
-	for set in sv_SE.ISO-8859-1 C C.UTF-8; do
-		HOME=$dir LOCPATH=$dir LC_ALL=$set timeout 30 expect -c 'spawn $env(TIPSPEED)
-			expect -re {> $}
-			send "quit\r"
-			expect eof' 2>&1 | grep -c 'is set to ISO-8859-1'
-	done >out
-	[ "$(paste -sd' ' out)" = '1 0 0' ]
-	result $? "letters other than UTF-8 are said at the start"
-	remark out
-else
-	result 0 "letters other than UTF-8 # SKIP no expect or localedef here"
-fi
-
 # How long the start takes, for whoever reads the log.
 began=$(date +%s%N)
 for i in 1 2 3 4 5 6 7 8 9 10; do "$TIPSPEED" -c version >out; done

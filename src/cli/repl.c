@@ -5,7 +5,6 @@
 #include "cli/repl.h"
 
 #include <errno.h>
-#include <langinfo.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -471,14 +470,6 @@ repl_greet_and_run_init(struct session *s)
 	    tr("tipspeed %s: help lists the commands, tui is full-screen mode, "
 	       "quit exits\n"),
 	    PACKAGE_VERSION);
-	const char *set = nl_langinfo(CODESET);
-	/* In the locale C a terminal may well show UTF-8. */
-	bool ascii = strncmp(set, "ANSI", 4) == 0 || strcmp(set, "ASCII") == 0;
-	if (!terminal_is_utf8() && !ascii)
-		session_print_note(s,
-		    "this terminal is set to %s and text is UTF-8: letters "
-		    "beyond ASCII are shown wrongly, except in tui",
-		    set);
 	s->hooks.show_manual_page = manpage_show;
 	FREED char *path = s->safe ? NULL
 				   : xdg_user_file_path("XDG_CONFIG_HOME",
