@@ -103,7 +103,8 @@ join_words_to_file_name(struct words *words)
 }
 
 /* Parses the words.  In a script, relative names of files to read are those
- * beside it, if they are there. */
+ * beside it, if they are there.  A quantity in the place of a command has a
+ * hint of its own. */
 static const struct command *
 parse_call_of_script(struct session *s, struct words *words, struct place place,
     struct args *args, struct error *error)

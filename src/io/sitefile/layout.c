@@ -1016,6 +1016,7 @@ is_further_heading_row(
 	if (filled == 2 && is_unit_after_value(g, r, p->c + 2))
 		return false;
 	const char *key = cell_at(g, r, p->c)->text;
+	/* "Rock:,,granite,gneiss" describes the columns, too. */
 	if (!g->across && lexicon_site_key_of_text(key) != N_KEY)
 		return is_name_for_each_product(g, r, p, filled) ||
 		       (filled > 1 && text_ends_with(key, ":"));
