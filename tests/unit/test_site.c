@@ -93,7 +93,7 @@ static const struct {
      "4,60,60,80,90\n",
 	1, 14, "one kind of feed", "feed@"},
     {"size_mm,feed@69,product@69,product@79\n" ROWS, 1, 28,
-	"a feed for product@79", "feed@"},
+	"a feed for product@79", "no speed above"},
     {"size_mm,feed,product@69,product@79,sd@74\n8,100,100,100,1\n"
      "4,50,60,60,1\n",
 	1, 36, "a product for sd@74", "remove this one"},

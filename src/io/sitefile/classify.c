@@ -167,6 +167,24 @@ combine_column_headings(const struct table *t, size_t c)
 	return said;
 }
 
+/* True if a column has a heading of unknown words, such as "Costs", in a row
+ * that says what other columns are. */
+static bool
+is_heading_unlike_others_in_row(const struct table *t, size_t at)
+{
+	for (size_t r = 0; r < t->n_head; r++) {
+		struct head own = heading_parse(t->head[r].cell[at].text);
+		if (own.unknown == 0 || heading_has_speed(&own) ||
+		    (own.means & ROLE_WORDS) != 0)
+			continue;
+		for (size_t c = 1; c < t->n_col; c++)
+			if ((heading_parse(t->head[r].cell[c].text).means &
+				(WORD_PRODUCT | KIND_WORDS)) != 0)
+				return true;
+	}
+	return false;
+}
+
 /* The numbers of a column.  n, rises, falls, first, last, most: of its sieves,
  * from coarse to fine, without the pan; sum: with the pan.  The others are of
  * all rows: how many cells are filled and how many are numbers, the least and
@@ -652,6 +670,8 @@ infer_column_role(struct column *c, const struct surroundings *near)
 	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
 	bool speed = heading_has_speed(&c->said);
 	c->role = NO_ROLE;
+	c->open = c->open || (c->said.spread && is_heading_unlike_others_in_row(
+						    c->table, c->at));
 	if ((role & WORD_SD) != 0)
 		c->role = SD;
 	else if (role == WORD_FEED)
@@ -719,6 +739,7 @@ leave_out_non_sample_column(const struct column *c, struct site *site)
 	bool words = s.numbers * 2 < s.filled;
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
+	uint64_t own = lexicon_text_meanings(head, NULL);
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
 	/* An empty column sd@70 says that a repeat has no deviations. */
 	bool deviation = (means & WORD_SD) != 0 && heading_has_speed(&c->said);
@@ -728,7 +749,8 @@ leave_out_non_sample_column(const struct column *c, struct site *site)
 		    "number in each row");
 	} else if (s.filled == 0 && !deviation) {
 		leave_out(site, c, "it is empty");
-	} else if ((means & WORD_LIMIT) != 0) {
+	} else if ((means & WORD_LIMIT) != 0 ||
+		   ((own & WORD_LOSS) != 0 && (own & sample) == 0)) {
 		leave_out(site, c,
 		    "%s: looks like a limit, or calculated or rejected values",
 		    head);

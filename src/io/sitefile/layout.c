@@ -49,10 +49,10 @@ struct place {
  * be.  In these arrays a row is `down` after the one above, and a column
  * `right` after the one before, so the transposed grid shares them.
  * bare_below: the first column has sizes -16, -11.2, below which material
- * passes.  gap
- * [n_row]: there is an empty line above the row.  number [n_row * n_col], row
- * by row: the first column, from this one on, that has a number, or n_col.  phi
- * [n_col]: the sizes of the column are in phi.  place [n_place]: the tables
+ * passes.  gap [n_row]: there is an empty line above the row.  apart [n_col]:
+ * the gaps of the grid that was transposed, or NULL.  number [n_row * n_col],
+ * row by row: the first column, from this one on, that has a number, or n_col.
+ * phi [n_col]: the sizes of the column are in phi.  place [n_place]: the tables
  * found. */
 struct sheet_grid {
 	struct sheet *sheet;
@@ -61,6 +61,7 @@ struct sheet_grid {
 	struct cell *at;
 	struct nature *nature;
 	bool *gap, *phi;
+	const bool *apart;
 	unsigned *number;
 	size_t n_place;
 	struct place place[MOST_TABLES];
@@ -488,6 +489,7 @@ transpose_sheet_grid(const struct sheet_grid *g)
 	    .at = g->at,
 	    .nature = g->nature};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
+	t.apart = g->gap;
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
 	find_next_number_of_each_cell(&t);
 	return t;
@@ -1064,6 +1066,14 @@ list_filled_columns(const struct sheet_grid *g, const struct place *p,
 	col[n++] = p->c;
 	size_t first = p->head < g->n_row ? p->head : p->first;
 	bool empty = false;
+	/* If the samples are in lines, none is above an empty line, or above
+	 * one such as "Rotor mm; 840". */
+	for (size_t c = p->c; c > from && g->across; c--) {
+		size_t cells = 0;
+		for (size_t r = p->first; r < p->last; r++)
+			cells += is_cell_filled(g, r, c - 1);
+		from = g->apart[c] || cells < 2 ? c : from;
+	}
 	for (size_t c = from; c < end; c++) {
 		bool filled = false, headed = false;
 		for (size_t r = first; r < p->last; r++)
@@ -1134,18 +1144,56 @@ join_cells_beside_headings(const struct sheet_grid *g, const struct place *p,
 	}
 }
 
-/* True if row r, below the sieves, has the speeds of the samples. */
+/* True if the first cell of row r, above or below a table, can head the speeds
+ * of the samples.  units: these have a unit, so it need not say "speed". */
 static bool
-is_row_of_speeds(const struct sheet_grid *g, size_t r, const struct place *p)
+can_head_speeds(
+    const struct sheet_grid *g, size_t r, const struct place *p, bool units)
 {
 	struct head first = heading_parse(cell_at(g, r, p->c)->text);
-	bool speed =
-	    (first.means & WORD_SPEED) != 0 || first.unit != SPEED_NO_UNIT;
+	bool speed = units || (first.means & WORD_SPEED) != 0 ||
+		     first.unit != SPEED_NO_UNIT;
 	static const uint64_t ELSE = WORD_LIMIT | WORD_MEAN | WORD_SAMPLE |
 				     WORD_FEED | WORD_PERCENT | WORD_OTHER;
 	return speed && !heading_has_speed(&first) && first.n_number == 0 &&
-	       first.unknown == 0 && (first.means & ELSE) == 0 &&
-	       has_number_beside(g, r, p->c, p->end);
+	       first.unknown == 0 && (first.means & ELSE) == 0;
+}
+
+/* True if row r, further above a table or below it, has speeds of at least this
+ * many of its columns, and none elsewhere. */
+static bool
+has_speeds_of_columns(const struct sheet_grid *g, size_t r,
+    const struct place *p, const size_t *col, size_t n, size_t least)
+{
+	size_t all = 0, own = 0, i = 1;
+	bool units = true;
+	for (size_t c = p->c + 1; c < g->n_col; c++) {
+		double number;
+		struct head said = heading_parse(cell_at(g, r, c)->text);
+		bool unit = heading_has_speed(&said);
+		bool speed =
+		    unit || number_value_of_cell(*cell_at(g, r, c), &number);
+		while (i < n && col[i] < c)
+			i++;
+		all += speed;
+		own += speed && i < n && col[i] == c;
+		units = units && (unit || !speed);
+	}
+	return own >= least && own == all && can_head_speeds(g, r, p, units);
+}
+
+/* Inserts row r, with the speeds of the samples, below the heading of the
+ * sieves. */
+static void
+insert_row_of_speeds(const struct sheet_grid *g, size_t r, const size_t *col,
+    size_t n, struct table *t)
+{
+	size_t at = t->titles < t->n_head ? t->titles + 1 : t->n_head;
+	append_sheet_table_row(g, r, col, n, &t->head, &t->n_head);
+	struct row speeds = t->head[t->n_head - 1];
+	struct row *below = &t->head[at];
+	memmove(below + 1, below, (t->n_head - 1 - at) * sizeof *below);
+	*below = speeds;
 }
 
 /* Adds the rows below the sieves: sums and the like to the foot, and speeds to
@@ -1160,15 +1208,40 @@ add_rows_below_sieves(const struct sheet_grid *g, const struct place *p,
 			    g, r, col, n, &t->foot, &t->n_foot);
 			continue;
 		}
-		if (t->n_head == 0 || !is_row_of_speeds(g, r, p))
+		if (t->n_head == 0 ||
+		    !has_speeds_of_columns(g, r, p, col, n, 1))
 			break;
-		size_t at = t->titles < t->n_head ? t->titles + 1 : t->n_head;
-		append_sheet_table_row(g, r, col, n, &t->head, &t->n_head);
-		struct row speeds = t->head[t->n_head - 1];
-		struct row *below = &t->head[at];
-		memmove(below + 1, below, (t->n_head - 1 - at) * sizeof *below);
-		*below = speeds;
+		insert_row_of_speeds(g, r, col, n, t);
 	}
+}
+
+/* Adds rows of speeds that other lines separate from the headings below, up to
+ * the table above. */
+static void
+add_speeds_further_above(const struct sheet_grid *g, const struct place *p,
+    size_t top, const size_t *col, size_t n, struct table *t)
+{
+	for (size_t r = top; r-- > 0 && t->n_head > 0 &&
+			     !cell_classification_at(g, r, p->c)->used;)
+		if (has_speeds_of_columns(g, r, p, col, n, 2))
+			insert_row_of_speeds(g, r, col, n, t);
+}
+
+/* Adds row r, above the sieves, to the headings, or a sum to the foot.  title:
+ * it is above the heading of the sieves. */
+static void
+add_row_above_sieves(const struct sheet_grid *g, const struct place *p,
+    size_t r, bool title, const size_t *col, size_t n, struct table *t,
+    size_t end)
+{
+	if (cell_classification_at(g, r, p->c)->foot &&
+	    has_number_beside(g, r, p->c, p->end)) {
+		append_sheet_table_row(g, r, col, n, &t->foot, &t->n_foot);
+		return;
+	}
+	append_sheet_table_row(g, r, col, n, &t->head, &t->n_head);
+	join_cells_beside_headings(g, p, r, end, title, t);
+	t->titles += title;
 }
 
 static void
@@ -1190,22 +1263,13 @@ add_one_table_to_layout(const struct sheet_grid *g, const struct place *p,
 		   is_heading_of_all_columns(g, top - 1, p, end)) &&
 	       !cell_classification_at(g, top - 1, p->c)->used)
 		top--;
-	for (size_t r = top; r < p->last; r++) {
-		const struct nature *first = cell_classification_at(g, r, p->c);
-		if (r >= p->first) {
-			append_sheet_table_row(g, r, col, n, &t.row, &t.n_row);
-			t.below = t.below || first->below;
-		} else if (first->foot &&
-			   has_number_beside(g, r, p->c, p->end)) {
-			append_sheet_table_row(
-			    g, r, col, n, &t.foot, &t.n_foot);
-		} else {
-			append_sheet_table_row(
-			    g, r, col, n, &t.head, &t.n_head);
-			join_cells_beside_headings(g, p, r, end, r < own, &t);
-			t.titles += r < own;
-		}
+	for (size_t r = top; r < p->first; r++)
+		add_row_above_sieves(g, p, r, r < own, col, n, &t, end);
+	for (size_t r = p->first; r < p->last; r++) {
+		append_sheet_table_row(g, r, col, n, &t.row, &t.n_row);
+		t.below = t.below || cell_classification_at(g, r, p->c)->below;
 	}
+	add_speeds_further_above(g, p, top, col, n, &t);
 	add_rows_below_sieves(g, p, col, n, &t);
 	for (size_t r = p->last; r < g->n_row && g->across; r++)
 		if (lexicon_is_date_label(cell_at(g, r, p->c)->text) &&

@@ -122,6 +122,19 @@ site_heading_parse_speed(const struct sheet *sheet, struct cell key,
 	return true;
 }
 
+/* As site_heading_parse_speed, for a line that may have more speeds, of which
+ * the next is in *third (NULL: none).  If they differ, none is that of all. */
+static bool
+parse_speeds(const struct sheet *sheet, struct cell key, struct cell value,
+    const struct cell *third, struct heading_speed *speed)
+{
+	if (!site_heading_parse_speed(sheet, key, value, speed))
+		return false;
+	if (third != NULL)
+		site_heading_parse_speed(sheet, key, *third, speed);
+	return true;
+}
+
 /* Splits a cell such as "Speed: 70 m/s" into key and value, whose texts are in
  * *copy, which the caller frees.  Returns false if there is no value. */
 static bool
@@ -151,8 +164,9 @@ is_key_colon_value_cell(struct cell cell)
 /* Finds the next key and value of a line, from cell *at on, and moves *at past
  * them.  They are the cells up to an empty one; or one cell that has both, if
  * another such cell follows it.  Returns the number of cells, of which the
- * third is in *third.  One cell that has both counts as two; their texts are in
- * *copy, which the caller frees. */
+ * third, or the first after it that is not like the value, is in *third.  One
+ * cell that has both counts as two; their texts are in *copy, which the caller
+ * frees. */
 static size_t
 next_key_and_value(const struct row *row, size_t *at, struct cell *key,
     struct cell *value, struct cell *third, char **copy)
@@ -169,8 +183,8 @@ next_key_and_value(const struct row *row, size_t *at, struct cell *key,
 		    is_key_colon_value_cell(row->cell[i]))
 			break;
 		struct cell *slot[] = {key, value, third};
-		if (n < 3)
-			*slot[n] = row->cell[i];
+		if (n < 3 || strcmp(third->text, value->text) == 0)
+			*slot[n < 2 ? n : 2] = row->cell[i];
 		n++;
 	}
 	*at = i;
@@ -186,7 +200,7 @@ site_heading_speed_of_line(const struct sheet *sheet, const struct row *row,
 	size_t at = 0,
 	       n = next_key_and_value(row, &at, &key, &value, &third, &copy);
 	return n > 1 && lexicon_site_key_of_text(key.text) == N_KEY &&
-	       site_heading_parse_speed(sheet, key, value, speed);
+	       parse_speeds(sheet, key, value, n > 2 ? &third : NULL, speed);
 }
 
 char *
@@ -247,6 +261,54 @@ report_key_without_value(struct sheet *sheet, struct cell key)
 		    sheet->separator);
 }
 
+/* Sets the field of a site that a key states; *seen: the line that stated it
+ * before, or 0.  third: a cell after the value, or NULL. */
+static void
+set_site_field(struct site *site, struct sheet *sheet, enum lexicon_key k,
+    struct cell key, struct cell value, const struct cell *third, int *seen)
+{
+	const char *known[N_KEY] = {
+	    site->name, site->rock, site->machine, site->provenance};
+	if (third != NULL)
+		sheet_report_expected(sheet, *third,
+		    "the end of the line after key and value",
+		    "quote a value that contains the separator, begin a remark "
+		    "with #, or put names of single products directly above "
+		    "the headings; with decimal commas, separate the cells "
+		    "with ;");
+	else if (*seen > 0 &&
+		 (known[k] == NULL || strcmp(known[k], value.text) != 0))
+		sheet_report_fault(sheet, key,
+		    "duplicate key: %s is already in line %d\n"
+		    "remove one of the two lines",
+		    key.text, *seen);
+	else
+		site_heading_set_site_field(site, k, sheet, value);
+	/* The name of a machine may state its rotor, too. */
+	if (k == KEY_MACHINE && !(site->rotor > 0))
+		site->rotor = rotor_mm_of_key(sheet, key, value) / 1000;
+	*seen = key.line;
+}
+
+/* Takes the rotor and the speed that a key with its value states, if it has
+ * one, and notes it.  third: a cell after the value, or NULL. */
+static void
+read_other_key(struct site *site, const struct sheet *sheet, struct cell key,
+    const struct cell *value, const struct cell *third,
+    struct heading_speed *speed)
+{
+	double mm = value != NULL ? rotor_mm_of_key(sheet, key, *value) : 0;
+	double number;
+	site->rotor = mm > 0 ? mm / 1000 : site->rotor;
+	if (!(mm > 0) && value != NULL)
+		parse_speeds(sheet, key, *value, third, speed);
+	if (third != NULL && number_value_of_cell(*third, &number))
+		note_numbers_above_table(site, &key);
+	else if (!(mm > 0 && strcmp(key.text, "rotor_mm") == 0))
+		site_notes_append(&site->note, &site->n_note, key.text,
+		    value != NULL ? value->text : "");
+}
+
 /* Reads the next key and value of a line, or a key alone.  seen: the line of
  * each key read so far, or 0.  Returns false at the end of the line. */
 static bool
@@ -260,40 +322,14 @@ set_site_field_from_next_key(struct site *site, struct sheet *sheet,
 	if (n == 0)
 		return false;
 	enum lexicon_key k = lexicon_site_key_of_text(key.text);
-	if (n == 1 && k == N_KEY && begins_with_site_key(key.text)) {
+	const struct cell *more = n > 2 ? &third : NULL;
+	if (n == 1 && k == N_KEY && begins_with_site_key(key.text))
 		report_key_without_value(sheet, key);
-	} else if (n > 2 && k < N_KEY) {
-		sheet_report_expected(sheet, third,
-		    "the end of the line after key and value",
-		    "quote a value that contains the separator, begin a remark "
-		    "with #, or put names of single products directly above "
-		    "the headings; with decimal commas, separate the cells "
-		    "with ;");
-	} else if (k < N_KEY && seen[k] > 0) {
-		sheet_report_fault(sheet, key,
-		    "duplicate key: %s is already in line %d\n"
-		    "remove one of the two lines",
-		    key.text, seen[k]);
-	} else if (k < N_KEY) {
-		site_heading_set_site_field(site, k, sheet, value);
-		/* The name of a machine may state its rotor, too. */
-		if (k == KEY_MACHINE && !(site->rotor > 0))
-			site->rotor = rotor_mm_of_key(sheet, key, value) / 1000;
-	} else {
-		double mm = n > 1 ? rotor_mm_of_key(sheet, key, value) : 0;
-		site->rotor = mm > 0 ? mm / 1000 : site->rotor;
-		bool taken = mm > 0 || (n > 1 && site_heading_parse_speed(
-						     sheet, key, value, speed));
-		double number;
-		if (n > 2 && number_value_of_cell(third, &number))
-			note_numbers_above_table(site, &key);
-		else if (!(taken && site->rotor > 0 &&
-			     strcmp(key.text, "rotor_mm") == 0))
-			site_notes_append(&site->note, &site->n_note, key.text,
-			    n > 1 ? value.text : "");
-	}
-	if (k < N_KEY)
-		seen[k] = row->line;
+	else if (k < N_KEY)
+		set_site_field(site, sheet, k, key, value, more, &seen[k]);
+	else
+		read_other_key(
+		    site, sheet, key, n > 1 ? &value : NULL, more, speed);
 	return true;
 }
 

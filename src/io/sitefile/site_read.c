@@ -134,7 +134,8 @@ check_column_has_feed_or_product(const struct columns *t,
 	    site_column_count_at_speed(t, FEED, c->speed) == 0)
 		sheet_report_fault(c->table->sheet, c->head,
 		    "expected a feed for %s, got none\n"
-		    "add a feed@ column with this speed",
+		    "add a feed with this speed or, if one feed serves all "
+		    "products, write no speed above it",
 		    c->head.text);
 }
 

@@ -299,16 +299,19 @@ read_table_title_lines(const struct layout *layout, struct table *t)
 	struct title_says says = {0};
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
+		bool read = false;
 		for (size_t c = 0; c < row->n; c++) {
 			if (!can_be_table_title(t, row, c))
 				continue;
 			struct head title = heading_parse(row->cell[c].text);
-			append_cell_to_table_title(t, row, c, &title);
-			if (!is_title_of_sample(&title))
+			if (!read)
+				append_cell_to_table_title(t, row, c, &title);
+			/* A further speed shows that each is of one sample. */
+			if (read ? !heading_has_speed(&title)
+				 : !is_title_of_sample(&title))
 				continue;
 			record_title_role_and_speed(&title, &says);
-			layout->read[i] = true;
-			break;
+			layout->read[i] = read = true;
 		}
 	}
 	return says;
