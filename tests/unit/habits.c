@@ -766,6 +766,14 @@ heads_speed_row(struct plan *p)
 }
 
 static bool
+heads_apart(struct plan *p)
+{
+	bool fits = p->shape == SHAPE_WIDE && !p->plain_heads &&
+		    (p->speeds == SPEED_MPS || p->speeds >= SPEED_RPM);
+	return fits && p->speeds != SPEED_BRACKETS && heads(p, HEADS_APART);
+}
+
+static bool
 heads_unit_row(struct plan *p)
 {
 	return heads(p, HEADS_UNIT_ROW);
@@ -1044,6 +1052,7 @@ const struct habit HABITS[] = {
     {"heads in two rows", 0.1, heads_two},
     {"heads in three rows", 0.07, heads_three},
     {"speeds in a row", 0.08, heads_speed_row},
+    {"speeds above another line", 0.05, heads_apart},
     {"units in a row", 0.07, heads_unit_row},
     {"plain heads", 0.4, plain_heads},
     {"caption", 0.05, caption},

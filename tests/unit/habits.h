@@ -51,7 +51,8 @@ enum heads {
 	HEADS_THREE,     /* role, merged; speed; quantity and unit */
 	HEADS_SPEED_ROW, /* role and quantity above "tip speed (m/s)" */
 	HEADS_UNIT_ROW,  /* units in a row of their own */
-	HEADS_ABOVE      /* role and speed above the sieves of one sample */
+	HEADS_ABOVE,     /* role and speed above the sieves of one sample */
+	HEADS_APART /* the row of speeds, another line, role and quantity */
 };
 
 enum speeds {
@@ -169,7 +170,7 @@ struct plan {
 		char name[40];
 		char *bytes; /* of a workbook: its cells, to be shown */
 		size_t n;
-		double at; /* speed given on the command line; 0: none */
+		double at;      /* speed given on the command line; 0: none */
 		size_t n_sheet; /* of a workbook; 0: a text */
 		struct sheets *sheet[MOST_CURVES];
 		char *title[MOST_CURVES];
@@ -250,7 +251,8 @@ char *head_speed(const struct plan *plan, const struct curve *curve);
 char *head_sample(const struct plan *plan, const struct curve *curve);
 size_t head_rows(const struct plan *plan);
 void head_put(const struct plan *plan, const struct column_plan *column,
-    const struct column_plan *before, struct sheets *grid, size_t row, size_t at);
+    const struct column_plan *before, struct sheets *grid, size_t row,
+    size_t at);
 
 /* habits_sheet.c */
 void sheet_make(struct plan *plan);

@@ -147,7 +147,7 @@ static char *
 role_text(const struct plan *plan, const struct curve *curve)
 {
 	if (!curve->feed && plan->speeds == SPEED_ALONE &&
-	    plan->heads != HEADS_SPEED_ROW)
+	    plan->heads != HEADS_SPEED_ROW && plan->heads != HEADS_APART)
 		return xstrdup("");
 	if (!curve->feed && plan->speeds == SPEED_SAMPLE) {
 		char *word = plan_upper(plan, plan->tongue->sample);
@@ -185,7 +185,7 @@ head_sample(const struct plan *plan, const struct curve *curve)
 size_t
 head_rows(const struct plan *plan)
 {
-	static const size_t ROWS[] = {1, 2, 3, 2, 2, 2};
+	static const size_t ROWS[] = {1, 2, 3, 2, 2, 2, 3};
 	return ROWS[plan->heads];
 }
 
@@ -254,6 +254,14 @@ curve_heads(const struct plan *plan, const struct curve *curve,
 			grid_put(grid, row + 1, at,
 			    plan_short(plan, curve->as_written, 1));
 		break;
+	case HEADS_APART:
+		grid_put(grid, row + 2, at,
+		    joined(role_text(plan, curve), quantity_text(plan, q),
+			xstrdup("")));
+		if (curve->speed > 0)
+			grid_put(grid, row, at,
+			    plan_short(plan, curve->as_written, 1));
+		break;
 	case HEADS_UNIT_ROW:
 		grid_put(grid, row, at,
 		    whole_head(plan, curve,
@@ -281,19 +289,23 @@ size_heads(const struct plan *plan, struct sheets *grid, size_t row, size_t at)
 	}
 	bool first = plan->heads == HEADS_SPEED_ROW ||
 		     plan->heads == HEADS_UNIT_ROW ||
-		     (plan->heads != HEADS_ABOVE && plan->word % 2 == 0);
+		     (plan->heads != HEADS_ABOVE &&
+			 plan->heads != HEADS_APART && plan->word % 2 == 0);
 	grid_put(
 	    grid, first ? row : row + head_rows(plan) - 1, at, head_size(plan));
-	if (plan->heads != HEADS_SPEED_ROW)
+	bool apart = plan->heads == HEADS_APART;
+	if (plan->heads != HEADS_SPEED_ROW && !apart)
 		return;
 	const char *unit = plan->speeds == SPEED_RPM    ? turns(plan)
 			   : plan->speeds == SPEED_FEET ? "ft/min"
 			   : plan->speeds == SPEED_KMH  ? "km/h"
 							: "m/s";
 	char *word = plan_upper(plan, plan->tongue->speed);
-	grid_put(grid, row + 1, at,
+	grid_put(grid, apart ? row : row + 1, at,
 	    plan->word % 3 == 0 ? xasprintf("%s [%s]", word, unit)
 				: xasprintf("%s (%s)", word, unit));
+	if (apart && plan->word % 5 > 0)
+		grid_put(grid, row + 1, at, xstrdup("Operator: JK"));
 	free(word);
 }
 
