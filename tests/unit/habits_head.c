@@ -227,6 +227,7 @@ curve_heads(const struct plan *plan, const struct curve *curve,
     const struct curve *left, struct sheets *grid, size_t row, size_t at)
 {
 	enum written q = curve->quantity;
+	bool apart = plan->heads == HEADS_APART;
 	char *unit = plan->plain_heads ? xstrdup(quantity_unit(plan, q))
 				       : plan_quantity(plan, q);
 	switch (plan->heads) {
@@ -247,19 +248,12 @@ curve_heads(const struct plan *plan, const struct curve *curve,
 		grid_put(grid, row + 2, at, xstrdup(unit));
 		break;
 	case HEADS_SPEED_ROW:
-		grid_put(grid, row, at,
-		    joined(role_text(plan, curve), quantity_text(plan, q),
-			xstrdup("")));
-		if (curve->speed > 0)
-			grid_put(grid, row + 1, at,
-			    plan_short(plan, curve->as_written, 1));
-		break;
 	case HEADS_APART:
-		grid_put(grid, row + 2, at,
+		grid_put(grid, apart ? row + 2 : row, at,
 		    joined(role_text(plan, curve), quantity_text(plan, q),
 			xstrdup("")));
 		if (curve->speed > 0)
-			grid_put(grid, row, at,
+			grid_put(grid, apart ? row : row + 1, at,
 			    plan_short(plan, curve->as_written, 1));
 		break;
 	case HEADS_UNIT_ROW:

@@ -1033,37 +1033,32 @@ is_further_heading_row(
 	return filled > 1 || g->across || (of_columns && end == p->c + 2);
 }
 
-static struct row
-make_table_row_from_grid(
-    const struct sheet_grid *g, size_t r, const size_t *col, size_t n)
+/* Adds row r of the grid to a list of rows of a table. */
+static void
+append_sheet_table_row(const struct sheet_grid *g, size_t r, struct table *t,
+    struct row **list, size_t *n_list)
 {
+	size_t n = t->n_col;
 	struct row row = {.n = n, .n_all = n};
 	row.cell = xcalloc(n, sizeof *row.cell);
-	for (size_t i = 0; i < n; i++)
-		row.cell[i] = *cell_at(g, r, col[i]);
+	for (size_t i = 0; i < n; i++) {
+		row.cell[i] = *cell_at(g, r, t->column[i]);
+		cell_classification_at(g, r, t->column[i])->used = true;
+	}
 	row.line = row.cell[0].line;
 	row.end = row.cell[n - 1].column;
-	return row;
-}
-
-static void
-append_sheet_table_row(const struct sheet_grid *g, size_t r, const size_t *col,
-    size_t n, struct row **list, size_t *n_list)
-{
 	*list = xgrow_by_one(*list, *n_list, sizeof **list);
-	(*list)[(*n_list)++] = make_table_row_from_grid(g, r, col, n);
-	for (size_t i = 0; i < n; i++)
-		cell_classification_at(g, r, col[i])->used = true;
+	(*list)[(*n_list)++] = row;
 }
 
 /* Lists the columns of a table that are not empty: its sieves, then those from
- * column `from` to before `end`.  Returns their number. */
-static size_t
+ * column `from` to before `end`. */
+static void
 list_filled_columns(const struct sheet_grid *g, const struct place *p,
-    size_t from, size_t end, size_t *col)
+    size_t from, size_t end, struct table *t)
 {
-	size_t n = 0;
-	col[n++] = p->c;
+	t->column = xcalloc(g->n_col + 1, sizeof *t->column);
+	t->column[t->n_col++] = p->c;
 	size_t first = p->head < g->n_row ? p->head : p->first;
 	bool empty = false;
 	/* If the samples are in lines, none is above an empty line, or above
@@ -1086,9 +1081,11 @@ list_filled_columns(const struct sheet_grid *g, const struct place *p,
 			break;
 		empty = !filled;
 		if (c != p->c && filled)
-			col[n++] = c;
+			t->column[t->n_col++] = c;
 	}
-	return n;
+	t->number = xcalloc(t->n_col, sizeof *t->number);
+	for (size_t i = 0; i < t->n_col; i++)
+		t->number[i] = column_or_line_number(g, t->column[i]);
 }
 
 /* If the sieves are listed twice, as names and in mm, fills the cells of the
@@ -1163,7 +1160,7 @@ can_head_speeds(
  * many of its columns, and none elsewhere. */
 static bool
 has_speeds_of_columns(const struct sheet_grid *g, size_t r,
-    const struct place *p, const size_t *col, size_t n, size_t least)
+    const struct place *p, const struct table *t, size_t least)
 {
 	size_t all = 0, own = 0, i = 1;
 	bool units = true;
@@ -1173,10 +1170,10 @@ has_speeds_of_columns(const struct sheet_grid *g, size_t r,
 		bool unit = heading_has_speed(&said);
 		bool speed =
 		    unit || number_value_of_cell(*cell_at(g, r, c), &number);
-		while (i < n && col[i] < c)
+		while (i < t->n_col && t->column[i] < c)
 			i++;
 		all += speed;
-		own += speed && i < n && col[i] == c;
+		own += speed && i < t->n_col && t->column[i] == c;
 		units = units && (unit || !speed);
 	}
 	return own >= least && own == all && can_head_speeds(g, r, p, units);
@@ -1185,11 +1182,10 @@ has_speeds_of_columns(const struct sheet_grid *g, size_t r,
 /* Inserts row r, with the speeds of the samples, below the heading of the
  * sieves. */
 static void
-insert_row_of_speeds(const struct sheet_grid *g, size_t r, const size_t *col,
-    size_t n, struct table *t)
+insert_row_of_speeds(const struct sheet_grid *g, size_t r, struct table *t)
 {
 	size_t at = t->titles < t->n_head ? t->titles + 1 : t->n_head;
-	append_sheet_table_row(g, r, col, n, &t->head, &t->n_head);
+	append_sheet_table_row(g, r, t, &t->head, &t->n_head);
 	struct row speeds = t->head[t->n_head - 1];
 	struct row *below = &t->head[at];
 	memmove(below + 1, below, (t->n_head - 1 - at) * sizeof *below);
@@ -1199,19 +1195,21 @@ insert_row_of_speeds(const struct sheet_grid *g, size_t r, const size_t *col,
 /* Adds the rows below the sieves: sums and the like to the foot, and speeds to
  * the headings, like those above the samples. */
 static void
-add_rows_below_sieves(const struct sheet_grid *g, const struct place *p,
-    const size_t *col, size_t n, struct table *t)
+add_rows_below_sieves(
+    const struct sheet_grid *g, const struct place *p, struct table *t)
 {
 	for (size_t r = p->last; r < g->n_row; r++) {
 		if (cell_classification_at(g, r, p->c)->foot) {
-			append_sheet_table_row(
-			    g, r, col, n, &t->foot, &t->n_foot);
+			append_sheet_table_row(g, r, t, &t->foot, &t->n_foot);
 			continue;
 		}
-		if (t->n_head == 0 ||
-		    !has_speeds_of_columns(g, r, p, col, n, 1))
+		/* A line between two tables may be the title of the lower. */
+		for (size_t i = 0; i < g->n_place && g->gap[r]; i++)
+			if (g->place[i].first > r)
+				return;
+		if (t->n_head == 0 || !has_speeds_of_columns(g, r, p, t, 1))
 			break;
-		insert_row_of_speeds(g, r, col, n, t);
+		insert_row_of_speeds(g, r, t);
 	}
 }
 
@@ -1219,27 +1217,26 @@ add_rows_below_sieves(const struct sheet_grid *g, const struct place *p,
  * the table above. */
 static void
 add_speeds_further_above(const struct sheet_grid *g, const struct place *p,
-    size_t top, const size_t *col, size_t n, struct table *t)
+    size_t top, struct table *t)
 {
 	for (size_t r = top; r-- > 0 && t->n_head > 0 &&
 			     !cell_classification_at(g, r, p->c)->used;)
-		if (has_speeds_of_columns(g, r, p, col, n, 2))
-			insert_row_of_speeds(g, r, col, n, t);
+		if (has_speeds_of_columns(g, r, p, t, 2))
+			insert_row_of_speeds(g, r, t);
 }
 
 /* Adds row r, above the sieves, to the headings, or a sum to the foot.  title:
  * it is above the heading of the sieves. */
 static void
 add_row_above_sieves(const struct sheet_grid *g, const struct place *p,
-    size_t r, bool title, const size_t *col, size_t n, struct table *t,
-    size_t end)
+    size_t r, bool title, struct table *t, size_t end)
 {
 	if (cell_classification_at(g, r, p->c)->foot &&
 	    has_number_beside(g, r, p->c, p->end)) {
-		append_sheet_table_row(g, r, col, n, &t->foot, &t->n_foot);
+		append_sheet_table_row(g, r, t, &t->foot, &t->n_foot);
 		return;
 	}
-	append_sheet_table_row(g, r, col, n, &t->head, &t->n_head);
+	append_sheet_table_row(g, r, t, &t->head, &t->n_head);
 	join_cells_beside_headings(g, p, r, end, title, t);
 	t->titles += title;
 }
@@ -1248,15 +1245,16 @@ static void
 add_one_table_to_layout(const struct sheet_grid *g, const struct place *p,
     size_t from, size_t end, struct layout *layout)
 {
-	FREED size_t *col = xcalloc(g->n_col + 1, sizeof *col);
-	size_t n = list_filled_columns(g, p, from, end, col);
-	struct table t = {.sheet = g->sheet,
+	layout->table =
+	    xgrow_by_one(layout->table, layout->n, sizeof *layout->table);
+	struct table *t = &layout->table[layout->n++];
+	*t = (struct table){.sheet = g->sheet,
 	    .across = g->across,
-	    .n_col = n,
 	    .left = (g->across ? p->first : p->c) + 1,
 	    .end = g->across || end == g->n_col ? SIZE_MAX : end + 1,
 	    .title = xstrdup(""),
 	    .unsure = p->unsure};
+	list_filled_columns(g, p, from, end, t);
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
 	       (is_further_heading_row(g, top - 1, p, end) ||
@@ -1264,25 +1262,21 @@ add_one_table_to_layout(const struct sheet_grid *g, const struct place *p,
 	       !cell_classification_at(g, top - 1, p->c)->used)
 		top--;
 	for (size_t r = top; r < p->first; r++)
-		add_row_above_sieves(g, p, r, r < own, col, n, &t, end);
+		add_row_above_sieves(g, p, r, r < own, t, end);
 	for (size_t r = p->first; r < p->last; r++) {
-		append_sheet_table_row(g, r, col, n, &t.row, &t.n_row);
-		t.below = t.below || cell_classification_at(g, r, p->c)->below;
+		append_sheet_table_row(g, r, t, &t->row, &t->n_row);
+		t->below =
+		    t->below || cell_classification_at(g, r, p->c)->below;
 	}
-	add_speeds_further_above(g, p, top, col, n, &t);
-	add_rows_below_sieves(g, p, col, n, &t);
+	add_speeds_further_above(g, p, top, t);
+	add_rows_below_sieves(g, p, t);
 	for (size_t r = p->last; r < g->n_row && g->across; r++)
 		if (lexicon_is_date_label(cell_at(g, r, p->c)->text) &&
 		    !cell_classification_at(g, r, p->c)->used)
-			append_sheet_table_row(
-			    g, r, col, n, &t.foot, &t.n_foot);
-	t.number = xcalloc(n, sizeof *t.number);
-	for (size_t i = 0; i < n; i++)
-		t.number[i] = column_or_line_number(g, col[i]);
-	fill_missing_sieve_cells(&t);
-	layout->table =
-	    xrealloc(layout->table, layout->n + 1, sizeof *layout->table);
-	layout->table[layout->n++] = t;
+			append_sheet_table_row(g, r, t, &t->foot, &t->n_foot);
+	fill_missing_sieve_cells(t);
+	free(t->column);
+	t->column = NULL;
 }
 
 static void

@@ -12,13 +12,14 @@
  * the first `titles` of them are above the heading of the sieves.  row: from
  * the first to the last sieve or pan.  foot: the rows immediately below.
  * number [n_col]: the number of each column in the sheet, from 1; or of each
- * line, if across.  left, end: the table has the columns of the sheet from left
+ * line, if across; column [n_col]: the same in the grid of layout.c, while it
+ * makes the table.  left, end: the table has the columns of the sheet from left
  * to before end.  after: the last line of the tables above, with the remarks
  * that follow them without a blank line, or 0.  text [n_text]: texts that the
  * table owns.  name [n_col]: the names of the samples in a long table, or NULL;
- * site: rows of the names of their sites or machines, each from one column.
- * day [n_col]: if the headings were replaced, the day of each sample, or NULL
- * if it has none; else NULL.
+ * site: rows of the names of their sites or machines, each from one column. day
+ * [n_col]: if the headings were replaced, the day of each sample, or NULL if it
+ * has none; else NULL.
  *
  * site_title.c sets title, the single-cell lines immediately above the table,
  * in the order of the sheet; strange, true if their words may mean another
@@ -41,7 +42,7 @@ struct table {
 	size_t left, end;
 	int after;
 	struct row *head, *row, *foot, *site;
-	size_t *number;
+	size_t *number, *column;
 	size_t n_text;
 	char **text, **name, **day, *title;
 	uint64_t basis;
