@@ -765,7 +765,8 @@ find_tables_with_headings(struct sheet_grid *g)
 			end = end < g->n_col ? end : g->n_col;
 			struct place p = {c, r, r + 1, 0, end, 0, false};
 			g->phi[c] = g->phi[c] || is_phi_heading(g, r, c);
-			while (p.first < g->n_row && p.first < r + 4 &&
+			while (p.first < g->n_row &&
+			       p.first < r + 1 + MOST_HEADS &&
 			       !is_sieve_size_or_pan_cell(g, p.first, c) &&
 			       !is_sieve_heading(g, p.first, c))
 				p.first++;
