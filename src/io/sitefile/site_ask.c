@@ -612,8 +612,8 @@ ask_if_samples_are_repeats(const struct site_request *q,
 	while (other < all->column + all->n - 1 &&
 	       (!other->unlike || other->speed != first->speed))
 		other++;
-	const char *one = sample_name_or_heading(first),
-		   *two = sample_name_or_heading(other);
+	FREED char *one = samples_label_of_column(first->table, first->at),
+		   *two = samples_label_of_column(other->table, other->at);
 	return report_question_as_fault(q, first->table, first->head, ask,
 	    tr("expected repeats of one product at %g m/s, got '%.*s' and "
 	       "'%.*s'"),
