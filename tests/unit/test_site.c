@@ -155,6 +155,8 @@ static const struct {
     {"Quarry:,,A,B\n" TOP ROWS, 2, 14, "those of 'A' and 'B'", "3=product@69"},
     {"Crusher :,,1,2\nQuarry,,A,A\n" TOP ROWS, 3, 14, "those of '1' and '2'",
 	"3=product@69"},
+    {"Kross nr:,,1,2\n" TOP ROWS, 2, 14, "those of '1' and '2'",
+	"3=product@69"},
     {"Quarry,,A,B\n\n" TOP ROWS, 1, 11, "end of the line",
 	"above the headings"},
     {"Sample,Quarry,mm,passing\nfeed,A,8,100\nfeed,A,4,50\n70 m/s,A,8,100\n"
@@ -163,6 +165,9 @@ static const struct {
 	"70 m/s A=@70"},
     {"Sample,Crusher,mm,passing\nfeed,1,8,100\nfeed,1,4,50\n70 m/s,1,8,100\n"
      "70 m/s,1,4,60\n79 m/s,2,8,100\n79 m/s,2,4,70\n",
+	4, 12, "those of '1' and '2'", "70 m/s 1=@70"},
+    {"Sample,Crusher No.,mm,passing\nfeed,1,8,100\nfeed,1,4,50\n"
+     "70 m/s,1,8,100\n70 m/s,1,4,60\n79 m/s,2,8,100\n79 m/s,2,4,70\n",
 	4, 12, "those of '1' and '2'", "70 m/s 1=@70"},
     /* The number of a crusher is no speed. */
     {"Sample,Crusher,mm,passing\nfeed,,8,100\nfeed,,4,50\n"

@@ -1036,13 +1036,10 @@ mark_other_site_samples_to_ask(struct columns *all)
 		if (all->column[i].table == t)
 			continue;
 		t = all->column[i].table;
-		for (size_t r = 0; r < t->n_head; r++) {
-			enum lexicon_key key =
-			    lexicon_site_key_of_text(t->head[r].cell[0].text);
-			if (key == KEY_SITE || key == KEY_MACHINE)
+		for (size_t r = 0; r < t->n_head; r++)
+			if (lexicon_is_label_of_sites(t->head[r].cell[0].text))
 				mark_products_of_different_sites(
 				    all, t, t->head[r].cell);
-		}
 		for (size_t r = 0; r < t->n_site; r++)
 			mark_products_of_different_sites(
 			    all, t, t->site[r].cell);

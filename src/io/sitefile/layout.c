@@ -1000,10 +1000,8 @@ static bool
 is_name_for_each_product(
     const struct sheet_grid *g, size_t r, const struct place *p, size_t filled)
 {
-	enum lexicon_key key =
-	    lexicon_site_key_of_text(cell_at(g, r, p->c)->text);
-	return (key == KEY_SITE || key == KEY_MACHINE) && filled > 1 &&
-	       !is_cell_filled(g, r, p->c + 1);
+	return filled > 1 && !is_cell_filled(g, r, p->c + 1) &&
+	       lexicon_is_label_of_sites(cell_at(g, r, p->c)->text);
 }
 
 /* True if row r, above the heading of the sieves, is a heading too: it
