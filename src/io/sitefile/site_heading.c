@@ -29,6 +29,14 @@ site_heading_set_site_field(struct site *site, enum lexicon_key key,
 	char **text[] = {
 	    &site->name, &site->rock, &site->machine, &site->provenance};
 	if (key != KEY_TOP_SIZE) {
+		const char *before = *text[key]; /* of another sheet or file */
+		if (key != KEY_PROVENANCE && before[0] != '\0' &&
+		    !text_is_same_folded(before, cell.text))
+			xappend_to_list(&site->remark, "; ",
+			    tr("read as one site, though its sheets state "
+			       "'%.*s' and '%.*s'"),
+			    sheet_truncated_text_length(before), before,
+			    sheet_truncated_text_length(cell.text), cell.text);
 		free(*text[key]);
 		*text[key] = xstrdup(cell.text);
 		return;
