@@ -152,6 +152,8 @@ static const struct {
     {"rotor of 840 mm or rotor of 900 mm\nsize_mm,feed,1180 rpm,79 "
      "m/s\n" ROWS,
 	3, 1, "got several in line 1", "rotor_mm=DIAMETER"},
+    {"size_mm,feed,1350 rpm (63.6 m/s),1550 rpm (63 m/s)\n" ROWS, 1, 34,
+	"63.6 m/s at 1350 rpm and 63 m/s at 1550 rpm", "leave out the rpm"},
     {"Quarry:,,A,B\n" TOP ROWS, 2, 14, "those of 'A' and 'B'", "3=product@69"},
     {"Crusher :,,1,2\nQuarry,,A,A\n" TOP ROWS, 3, 14, "those of '1' and '2'",
 	"3=product@69"},

@@ -276,13 +276,35 @@ set_or_ask_top_size(struct reading *r, struct site_ask *ask)
 	    &r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
 }
 
+/* Reports a sample whose speeds in m/s and in rpm belong to another rotor than
+ * those of `first`, by more than what is rounded off; returns the first sample
+ * that states both. */
+static const struct column *
+check_rpm_agree_with_speed(const struct column *c, const struct column *first)
+{
+	const double ROUNDED_OFF = 0.02;
+	const struct head *a = first != NULL ? &first->said : &c->said;
+	if (!(c->said.speed > 0) || !(c->said.rpm > 0))
+		return first;
+	double ratio = c->said.speed / c->said.rpm * a->rpm / a->speed;
+	if (fabs(ratio - 1) > ROUNDED_OFF)
+		sheet_report_fault(c->table->sheet, c->head,
+		    "expected m/s and rpm of one rotor, got %g m/s at %g rpm "
+		    "and %g m/s at %g rpm\n"
+		    "correct the wrong number, or leave out the rpm",
+		    a->speed, a->rpm, c->said.speed, c->said.rpm);
+	return first != NULL ? first : c;
+}
+
 static void
 read_and_check_sheet_columns(struct reading *r)
 {
 	struct columns *all = &r->all;
+	const struct column *first = NULL;
 	for (size_t i = 0; i < all->n && !error_is_stop_requested(r->errors);
 	     i++) {
 		struct column *c = &all->column[i];
+		first = check_rpm_agree_with_speed(c, first);
 		site_column_read_values(c);
 		r->lost = r->lost || c->table->lost;
 	}
