@@ -22,7 +22,8 @@
 static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
 
-static void
+/* Returns true if the key had another value in an earlier sheet. */
+static bool
 site_heading_set_site_field(struct site *site, enum lexicon_key key,
     struct sheet *sheet, struct cell cell)
 {
@@ -30,8 +31,9 @@ site_heading_set_site_field(struct site *site, enum lexicon_key key,
 	    &site->name, &site->rock, &site->machine, &site->provenance};
 	if (key != KEY_TOP_SIZE) {
 		const char *before = *text[key]; /* of another sheet or file */
-		if (key != KEY_PROVENANCE && before[0] != '\0' &&
-		    !text_is_same_folded(before, cell.text))
+		bool other = key != KEY_PROVENANCE && before[0] != '\0' &&
+			     !text_is_same_folded(before, cell.text);
+		if (other)
 			xappend_to_list(&site->remark, "; ",
 			    tr("read as one site, though its sheets state "
 			       "'%.*s' and '%.*s'"),
@@ -39,13 +41,14 @@ site_heading_set_site_field(struct site *site, enum lexicon_key key,
 			    sheet_truncated_text_length(cell.text), cell.text);
 		free(*text[key]);
 		*text[key] = xstrdup(cell.text);
-		return;
+		return other;
 	}
 	double mm = site_sieve_read_mm(sheet, cell, 1, "a positive size in mm");
 	if (mm <= 0)
 		sheet_report_expected(sheet, cell, "a positive size in mm",
 		    "write the size, or remove the line");
 	site->top_size = mm / 1000;
+	return false;
 }
 
 /* Reads the first number of a text, such as 900 in "900 mm". */
@@ -283,7 +286,8 @@ set_site_field_from_next_key(struct site *site, struct sheet *sheet,
 		    "remove one of the two lines",
 		    key.text, seen[k]);
 	} else if (k < N_KEY) {
-		site_heading_set_site_field(site, k, sheet, value);
+		speed->other_site |=
+		    site_heading_set_site_field(site, k, sheet, value);
 		/* The name of a machine may state its rotor, too. */
 		if (k == KEY_MACHINE && !(site->rotor > 0))
 			site->rotor = rotor_mm_of_key(sheet, key, value) / 1000;
@@ -305,6 +309,21 @@ set_site_field_from_next_key(struct site *site, struct sheet *sheet,
 	return true;
 }
 
+/* True if a line above a later table names another site, rock or machine. */
+static bool
+names_other_site(const struct site *site, const struct row *row)
+{
+	const char *own[] = {site->name, site->rock, site->machine};
+	struct cell key, value, third;
+	FREED char *copy = NULL;
+	size_t at = 0;
+	if (next_key_and_value(row, &at, &key, &value, &third, &copy) != 2)
+		return false;
+	enum lexicon_key k = lexicon_site_key_of_text(key.text);
+	return k < ARRAY_LEN(own) && own[k][0] != '\0' &&
+	       !text_is_same_folded(own[k], value.text);
+}
+
 void
 site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed)
@@ -322,6 +341,10 @@ site_heading_read(const struct layout *layout, struct sheet *sheet,
 			for (size_t at = 0; set_site_field_from_next_key(site,
 				 sheet, layout->heading[i], &at, seen, speed);)
 				;
+	for (size_t i = 0; i < layout->n_heading; i++)
+		if (layout->heading[i]->line > first)
+			speed->other_site |=
+			    names_other_site(site, layout->heading[i]);
 }
 
 /* Returns the rotor's diameter, mm, that a line states in words or, if it has

@@ -38,7 +38,8 @@ struct page {
 };
 
 /* A site being read.  table [n_table]: the tables of all layouts; all: their
- * columns.  lost: there is a fault, so it cannot be said what is missing. */
+ * columns.  lost: there is a fault, so it cannot be said what is missing.
+ * other_site: the sheets name several sites, rocks or machines. */
 struct reading {
 	const struct site_request *request;
 	struct error_list *errors;
@@ -51,7 +52,7 @@ struct reading {
 	struct table **table;
 	struct columns all;
 	struct open open;
-	bool lost;
+	bool lost, other_site;
 };
 
 /* Reports that there is no table.  Without one, nothing else can be checked. */
@@ -992,6 +993,7 @@ read_all_tables(struct reading *r)
 		if (page->layout->n == 0)
 			continue;
 		site_heading_read(page->layout, page->sheet, r->site, &told);
+		r->other_site = r->other_site || told.other_site;
 		set_rotor_of_site(r);
 		if (title_has_speed_per_table(page->layout))
 			told = (struct heading_speed){0};
@@ -1180,8 +1182,18 @@ set_feed_speeds_from_products(struct columns *all)
 static void
 accept_tables_as_one_site(struct reading *r)
 {
-	bool parts = r->request->parts;
-	bool tests = titles_are_separate_tests(r->table, r->n_table, &r->all);
+	const struct site_request *q = r->request;
+	const struct table *last =
+	    r->n_table > 1 ? r->table[r->n_table - 1] : NULL;
+	if (r->other_site && last != NULL && q->range == NULL &&
+	    !r->columns.others && r->samples.n == 0 &&
+	    last->sheet == r->table[0]->sheet) {
+		r->open.other = last;
+		return;
+	}
+	bool parts = q->parts;
+	bool tests = !r->other_site &&
+		     titles_are_separate_tests(r->table, r->n_table, &r->all);
 	if (!tests &&
 	    (r->open.other == NULL ||
 		!titles_are_speed_series(r->table, r->n_table, &r->all, parts)))
