@@ -345,10 +345,10 @@ columns_are_those_of_the_table(void **state)
 	static const char *const WHAT[] = {"5=product@79", "3=product@79"};
 	write_sheet(OPEN);
 	for (size_t i = 0; i < ARRAY_LEN(WHAT); i++) {
-		FREED char *line = xasprintf("load test-load.csv columns="
-					     "\"1=sieve, 2=feed, "
-					     "3=product@69, %s\"",
-		    WHAT[i]);
+		FREED char *line =
+		    xasprintf("load test-load.csv columns=\"1=sieve, 2=feed, "
+			      "3=product@69, %s\"",
+			WHAT[i]);
 		assert_false(desk_say(desk, line));
 		assert_non_null(
 		    strstr(desk->error.text, "columns of the table"));

@@ -17,8 +17,8 @@ is_date(const char *text, struct datetime *m)
 	return datetime_parse(text, m) && m->has_date;
 }
 
-/* Returns the only date in a heading such as "Cut 2026-05-03, 72 m/s" or "Cut 3
- * May 2026, 72 m/s"; NULL if there is none, or several.  The caller frees it. */
+/* Returns the only date in a heading, "Cut 2026-05-03, 72 m/s" or "Cut 3 May
+ * 2026, 72 m/s"; NULL if there is none, or several.  The caller frees it. */
 static char *
 only_date_in_heading(const char *heading)
 {
