@@ -339,6 +339,23 @@ scripts_are_not_asked(void **state)
 }
 
 static void
+columns_are_those_of_the_table(void **state)
+{
+	struct desk *desk = *state;
+	static const char *const WHAT[] = {"5=product@79", "3=product@79"};
+	write_sheet(OPEN);
+	for (size_t i = 0; i < ARRAY_LEN(WHAT); i++) {
+		FREED char *line =
+		    xasprintf("load test-load.csv columns=\"1=sieve, 2=feed, "
+			      "3=product@69, %s\"",
+			WHAT[i]);
+		assert_false(desk_say(desk, line));
+		assert_non_null(
+		    strstr(desk->error.text, "columns of the table"));
+	}
+}
+
+static void
 answers_are_saved_with_the_session(void **state)
 {
 	struct desk *desk = *state;
@@ -438,6 +455,7 @@ main(void)
 	    WITH_USER(samples_are_asked_by_name),
 	    WITH_USER(tables_are_asked_by_number),
 	    WITH_USER(scripts_are_not_asked),
+	    WITH_USER(columns_are_those_of_the_table),
 	    WITH_USER(answers_are_saved_with_the_session),
 	    cmocka_unit_test(rows_fit),
 	    cmocka_unit_test(reading_can_be_interrupted_anywhere),

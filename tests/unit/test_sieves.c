@@ -42,6 +42,47 @@ a_sieve_has_its_name_in_many_spellings(void **state)
 	}
 }
 
+/* The coarsest row was lost without a word, and 2-1/2 was read as 1.5. */
+static void
+a_mixed_fraction_is_a_sieve_in_any_row(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *head, *name[4];
+		double mm[4];
+	} SHEETS[] = {
+	    {"Sieve (in)", {"1 1/2", "1", "3/4", "1/2"}, {37.5, 25, 19, 12.5}},
+	    {"in", {"1-1/2", "1 1/4", "1", "1/4"}, {37.5, 31.5, 25, 6.3}},
+	    {"Sieve", {"2-1/2 in", "2 in", "1 - 1/2 in", "1 in"},
+		{63, 50, 37.5, 25}},
+	    {"Tyler mesh", {"2 1/2", "3", "3 1/2", "4"}, {8, 6.7, 5.6, 4.75}},
+	    {"BS mesh", {"3 1/2", "4", "5", "6"}, {4.75, 4, 3.35, 2.8}},
+	    {"US sieve", {"1 1/2", "3/4", "4", "8"}, {37.5, 19, 4.75, 2.36}},
+	    {"No.", {"3 1/2", "4", "8", "16"}, {NAN, 4.75, 2.36, 1.18}}};
+	for (size_t i = 0; i < ARRAY_LEN(SHEETS); i++) {
+		const char *const *name = SHEETS[i].name;
+		const double *mm = SHEETS[i].mm;
+		FREED char *sheet = xasprintf(
+		    "%s,Feed,69 m/s,79 m/s\n%s,100,100,100\n%s,80,90,95\n"
+		    "%s,40,60,70\n%s,10,20,30\n",
+		    SHEETS[i].head, name[0], name[1], name[2], name[3]);
+		if (isnan(mm[0])) {
+			struct error_list errors;
+			assert_null(read_string(sheet, &errors));
+			assert_non_null(strstr(errors.item[0].text,
+			    "expected a sieve of ASTM E11, got "));
+			continue;
+		}
+		struct site *site = accept(sheet);
+		size_t n;
+		FREED double *size = site_all_sieves(site, &n);
+		assert_int_equal(n, 4);
+		for (size_t k = 0; k < n; k++)
+			assert_true(fabs(1000 * size[k] - mm[k]) < 1e-12);
+		site_free(site);
+	}
+}
+
 /* These rows were taken for comments, and 2 sieves of 9 calibrated on. */
 static void
 a_numbered_sieve_is_never_a_comment(void **state)
@@ -151,6 +192,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(a_sieve_has_its_name_in_many_spellings),
+	    cmocka_unit_test(a_mixed_fraction_is_a_sieve_in_any_row),
 	    cmocka_unit_test(a_numbered_sieve_is_never_a_comment),
 	    cmocka_unit_test(what_was_passed_over_is_told),
 	    cmocka_unit_test(a_rotor_is_measured_in_words),

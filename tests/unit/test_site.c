@@ -59,7 +59,7 @@ static const struct {
      "<4 mm,25,50,60\n<1 mm,10,15,15\npan,5,5,5\n",
 	1, 7, "what column 2 is", "2=feed retained_pct"},
     {"mm,Feed %,66 m/s %,72 m/s %\n" ROWS "Tip speed m/s,,65,71\n", 5, 16,
-	"what column 3 is", "3=product@65"},
+	"what column 3 is", "3=product@SPEED"},
     {"Tip speed 65 m/s\nTip speed 71 m/s\nmm,Feed,S1,S2\n" ROWS, 3, 9,
 	"what column 3 is", "3=product@SPEED"},
     {"Tip speed,65\nTip speed,71\nmm,Feed,S1,S2\n" ROWS, 3, 9,
@@ -152,8 +152,18 @@ static const struct {
     {"rotor of 840 mm or rotor of 900 mm\nsize_mm,feed,1180 rpm,79 "
      "m/s\n" ROWS,
 	3, 1, "got several in line 1", "rotor_mm=DIAMETER"},
+    {"size_mm,feed,product@7.4e1,product@79\n" ROWS, 1, 14, "its tip speed",
+	"3=product@SPEED"},
+    {"Sieve mm,feed g,69 m/s g,79 m/s g\n16,0,0,0\n8,30,10,5\n4,32,31,25\n"
+     "1,28,39,41\n",
+	1, 17, "what column 3 is",
+	"2=feed retained_g, 3=product@69 retained_g"},
+    {"size_mm,feed,1350 rpm (63.6 m/s),1550 rpm (63 m/s)\n" ROWS, 1, 34,
+	"63.6 m/s at 1350 rpm and 63 m/s at 1550 rpm", "leave out the rpm"},
     {"Quarry:,,A,B\n" TOP ROWS, 2, 14, "those of 'A' and 'B'", "3=product@69"},
     {"Crusher :,,1,2\nQuarry,,A,A\n" TOP ROWS, 3, 14, "those of '1' and '2'",
+	"3=product@69"},
+    {"Kross nr:,,1,2\n" TOP ROWS, 2, 14, "those of '1' and '2'",
 	"3=product@69"},
     {"Quarry,,A,B\n\n" TOP ROWS, 1, 11, "end of the line",
 	"above the headings"},
@@ -163,6 +173,9 @@ static const struct {
 	"70 m/s A=@70"},
     {"Sample,Crusher,mm,passing\nfeed,1,8,100\nfeed,1,4,50\n70 m/s,1,8,100\n"
      "70 m/s,1,4,60\n79 m/s,2,8,100\n79 m/s,2,4,70\n",
+	4, 12, "those of '1' and '2'", "70 m/s 1=@70"},
+    {"Sample,Crusher No.,mm,passing\nfeed,1,8,100\nfeed,1,4,50\n"
+     "70 m/s,1,8,100\n70 m/s,1,4,60\n79 m/s,2,8,100\n79 m/s,2,4,70\n",
 	4, 12, "those of '1' and '2'", "70 m/s 1=@70"},
     /* The number of a crusher is no speed. */
     {"Sample,Crusher,mm,passing\nfeed,,8,100\nfeed,,4,50\n"

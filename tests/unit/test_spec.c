@@ -21,7 +21,7 @@ limits_and_their_gaps_are_read(void **state)
 	    "spec,A\nsource,\"b, "
 	    "c\"\nsize_mm,min_pct,max_pct\n8,85,99\n4,,40\n",
 	    "# x\nSpec;A\nsource;b, c\nnote;d\nsize_um;max_pct;min_pct\n"
-	    "8000;99,0;85\n4000;40;\n",
+	    "8000;99,0;85\n4000;40;-\n",
 	    "spec,A\nsource,\"b, c\"\n# 3 to 5\nsize_mm,min_pct,max_pct\n"
 	    "5/16 in,85,99\n#5,,40\n# end\n"};
 	for (size_t i = 0; i < ARRAY_LEN(same); i++) {
@@ -93,7 +93,12 @@ faults_have_their_place(void **state)
 	    {"size_mm,max_pct\n4,50\n2,60\n", 3, 3},
 	    {"size_mm,max_pct\n4,50\npan,0\n", 3, 1},
 
-	    {"size_mm,max_pct\n4,50,1\n", 2, 6}};
+	    {"size_mm,max_pct\n4,50,1\n", 2, 6},
+	    {"size_mm,min_pct,max_pct\n4,,\n2,-,\n", 1, 1},
+	    {"size_mm,max_pct\n4,50\n2,30\n\nsize_mm,max_pct\n4,60\n2,40\n", 5,
+		1},
+	    {"size_mm,max_pct,,size_mm,max_pct\n4,50,,4,60\n2,30,,2,40\n", 1,
+		18}};
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
 		struct error_list errors;
 		assert_null(read_spec(rows[i].text, &errors));

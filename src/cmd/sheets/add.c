@@ -687,6 +687,32 @@ drop_known_cuts(struct session *s, const struct site *site, struct site *cuts,
 	}
 }
 
+/* Returns the name of a site, or "" if it is that of its file. */
+static const char *
+name_unless_of_file(const struct site *site)
+{
+	const char *file = file_name_without_folders(site->path);
+	size_t n = strlen(site->name);
+	bool same = strncmp(file, site->name, n) == 0;
+	return same && (file[n] == '.' || file[n] == '\0') ? "" : site->name;
+}
+
+static void
+warn_of_cuts_of_other_site(
+    struct session *s, const struct site *site, const struct site *cuts)
+{
+	const char *stated[][2] = {
+	    {name_unless_of_file(site), name_unless_of_file(cuts)},
+	    {site->machine, cuts->machine}, {site->rock, cuts->rock}};
+	for (size_t i = 0; i < ARRAY_LEN(stated); i++)
+		if (stated[i][0][0] != '\0' && stated[i][1][0] != '\0' &&
+		    !text_is_same_folded(stated[i][0], stated[i][1]))
+			session_print_note(s,
+			    "  warning: the site has '%s', the sheet of the "
+			    "cuts '%s': 'undo' if they are of another site",
+			    stated[i][0], stated[i][1]);
+}
+
 static bool
 add_cuts_to_current_site(struct session *s, const struct args *args,
     struct site *cuts, struct origins *all, struct error *error)
@@ -716,6 +742,7 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 	if (args->date == NULL)
 		note_ambiguous_date(s, cuts, &how, all);
 	load_print_how_site_was_read(s, cuts);
+	warn_of_cuts_of_other_site(s, old, cuts);
 	warn_of_duplicate_cuts(s, old, cuts);
 	note_feed_of_cuts(s, site, cuts);
 	session_replace_site_by_extended(s, site, from);

@@ -121,7 +121,7 @@ parse_limit_of_row(const struct table *t, size_t row, size_t at)
 {
 	double v;
 	struct cell cell = row_cell_at(&t->row[row], at);
-	if (at == 0 || cell.text[0] == '\0' ||
+	if (at == 0 || cell.text[0] == '\0' || cell.value == AS_ABSENT ||
 	    !number_read_cell(t->sheet, cell, tr("a number"), &v))
 		return NAN;
 	if (v >= 0 && v <= 100)
@@ -159,6 +159,7 @@ static void
 spec_read_limit_rows(
     struct spec *spec, struct table *t, const size_t at[static 2])
 {
+	bool any = false;
 	spec->n = t->n_row;
 	spec->size = xcalloc_doubles(t->n_row);
 	spec->least = xcalloc_doubles(t->n_row);
@@ -168,6 +169,7 @@ spec_read_limit_rows(
 		spec->size[i] = t->mm[i] / 1000;
 		spec->least[i] = parse_limit_of_row(t, i, at[0]);
 		spec->most[i] = parse_limit_of_row(t, i, at[1]);
+		any = any || !isnan(spec->least[i]) || !isnan(spec->most[i]);
 		if (t->mm[i] <= 0)
 			sheet_report_expected(t->sheet, cell, "a sieve size",
 			    "remove the row: an envelope has no pan");
@@ -177,6 +179,10 @@ spec_read_limit_rows(
 			    "%g\nwere the two swapped?",
 			    100 * spec->least[i], 100 * spec->most[i]);
 	}
+	if (!any && t->sheet->n_fault == 0)
+		sheet_report_fault(t->sheet, site_sieve_heading_cell(t),
+		    "expected a limit in a row below, got none\n"
+		    "write per cent passing into min_pct or max_pct");
 	for (size_t i = 0; i < 2 && !t->lost; i++)
 		check_limits_never_rise(
 		    t, i == 0 ? spec->least : spec->most, at[i], i);
@@ -205,6 +211,12 @@ spec_read_sheet(struct spec *spec, struct sheet *sheet)
 	if (layout->n > 0 && layout->table[0].n_head > 0) {
 		read_keys_above_table(spec, sheet, &layout->table[0]);
 		spec_read_table(spec, &layout->table[0]);
+		if (layout->n > 1)
+			sheet_report_fault(sheet,
+			    site_sieve_heading_cell(&layout->table[1]),
+			    "expected the limits of one envelope, got a second "
+			    "table\n"
+			    "put each envelope into a file of its own");
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
 		sheet_report_expected(sheet, row_cell_at(&none, 0),
@@ -224,6 +236,10 @@ spec_read_file(const char *path, struct error_list *errors)
 	if (source_read_sheets(path, errors, &source)) {
 		spec = spec_new();
 		xfree_and_set(&spec->note, xstrdup(source.note));
+		if (source.n > 1)
+			xappend_to_list(&spec->note, "; ",
+			    tr("of %zu sheets, only '%s' is read"), source.n,
+			    source.sheet[0]->name);
 		spec_read_sheet(spec, source.sheet[0]);
 		if (spec->name[0] == '\0')
 			xfree_and_set(&spec->name, xstrdup(path));

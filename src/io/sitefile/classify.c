@@ -638,7 +638,10 @@ infer_column_speed(struct column *c, const struct surroundings *near)
 	bool told_rpm = said->rpm == 0 && !(near->speed > 0) && near->rpm > 0 &&
 			c->role == PRODUCT &&
 			!(unitless_speed_in_heading(said) > 0);
-	c->open = c->open || said->several;
+	if (said->several) { /* none is proposed */
+		c->open = true;
+		return;
+	}
 	if (said->speed > 0) {
 		c->speed = said->speed;
 	} else if (said->rpm > 0 || told_rpm) {
@@ -858,6 +861,25 @@ take_odd_masses_for_percentages(struct columns *all, size_t i)
 	}
 }
 
+/* Proposes for an open column, from the ith on, which may be mass on each sieve
+ * or cumulative, what another one with the same words in its headings is. */
+static void
+propose_quantity_of_like_columns(struct columns *all, size_t i)
+{
+	const uint64_t words = KIND_WORDS | SCALE_WORDS;
+	for (size_t first = i; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		for (size_t k = first; c->open && k < all->n; k++) {
+			const struct column *like = &all->column[k];
+			if (!like->open && like->role != SD &&
+			    SITE_UNITS[like->unit].kind != PASSING &&
+			    SITE_UNITS[c->unit].kind != PASSING &&
+			    ((like->said.means ^ c->said.means) & words) == 0)
+				c->unit = like->unit;
+		}
+	}
+}
+
 void
 classify_columns(struct table *t, const struct surroundings *near,
     struct columns *all, struct site *site)
@@ -897,6 +919,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 		all->column[all->n++] = c;
 	}
 	take_odd_masses_for_percentages(all, first);
+	propose_quantity_of_like_columns(all, first);
 }
 
 static bool
@@ -1058,13 +1081,10 @@ mark_other_site_samples_to_ask(struct columns *all)
 		if (all->column[i].table == t)
 			continue;
 		t = all->column[i].table;
-		for (size_t r = 0; r < t->n_head; r++) {
-			enum lexicon_key key =
-			    lexicon_site_key_of_text(t->head[r].cell[0].text);
-			if (key == KEY_SITE || key == KEY_MACHINE)
+		for (size_t r = 0; r < t->n_head; r++)
+			if (lexicon_is_label_of_sites(t->head[r].cell[0].text))
 				mark_products_of_different_sites(
 				    all, t, t->head[r].cell);
-		}
 		for (size_t r = 0; r < t->n_site; r++)
 			mark_products_of_different_sites(
 			    all, t, t->site[r].cell);

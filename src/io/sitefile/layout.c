@@ -169,6 +169,10 @@ classify_sheet_cell(
 	n.kind = sieve_read_size(sheet, *cell, length, &n.mm);
 	if (cell->kind == CELL_TEXT && cell->value == AS_NUMBER)
 		return n;
+	/* "3 1/2", in inches or a mesh number, as the heading says */
+	if (n.kind == SIEVE_IS_NONE &&
+	    sieve_mm_of_name(cell->text, SIEVE_INCH) > 0)
+		n.kind = SIEVE_IS_SIZE;
 	n.means = lexicon_text_meanings(cell->text, &unknown);
 	n.unknown = (unsigned)unknown;
 	n.head = can_be_sieve_heading(cell, &n);
@@ -513,12 +517,14 @@ static bool
 has_astm_sieve_numbers(const struct sheet_grid *g, size_t r, size_t c)
 {
 	size_t n = 0;
-	double v, last = NAN, step = 0;
+	double v = NAN, last = NAN, step = 0;
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		const struct cell *cell = cell_at(g, r, c);
-		if (!number_value_of_cell(*cell, &v))
+		double mm = sieve_mm_of_name(cell->text, SIEVE_ASTM);
+		bool number = number_value_of_cell(*cell, &v);
+		if (!number && mm == 0)
 			break;
-		if (isnan(sieve_mm_of_name(cell->text, SIEVE_ASTM)))
+		if (number && isnan(mm))
 			return false;
 		step = n > 0 ? fmax(step, fabs(v - last)) : 0;
 		last = v;
@@ -997,10 +1003,8 @@ static bool
 is_name_for_each_product(
     const struct sheet_grid *g, size_t r, const struct place *p, size_t filled)
 {
-	enum lexicon_key key =
-	    lexicon_site_key_of_text(cell_at(g, r, p->c)->text);
-	return (key == KEY_SITE || key == KEY_MACHINE) && filled > 1 &&
-	       !is_cell_filled(g, r, p->c + 1);
+	return filled > 1 && !is_cell_filled(g, r, p->c + 1) &&
+	       lexicon_is_label_of_sites(cell_at(g, r, p->c)->text);
 }
 
 /* True if row r, above the heading of the sieves, is a heading too: it

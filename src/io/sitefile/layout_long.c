@@ -339,8 +339,7 @@ is_column_of_sites(const struct longer *l, size_t c)
 {
 	const struct table *t = l->table;
 	FREED char *text = layout_column_heading_text(t, c);
-	enum lexicon_key key = lexicon_site_key_of_text(text);
-	bool names = key == KEY_SITE || key == KEY_MACHINE;
+	bool names = lexicon_is_label_of_sites(text);
 	for (size_t r = 0; r < t->n_row && names; r++) {
 		struct head cell = heading_parse(t->row[r].cell[c].text);
 		names = !heading_has_speed(&cell) &&

@@ -466,3 +466,14 @@ lexicon_site_key_of_text(const char *text)
 		k++;
 	return (enum lexicon_key)k;
 }
+
+bool
+lexicon_is_label_of_sites(const char *label)
+{
+	FREED char *copy = xstrdup(label);
+	char *more = copy + strcspn(copy, " ");
+	if (is_key_in_list(more, "no|no.|nr|nr.|number|nummer|#|id|name|namn"))
+		*more = '\0';
+	enum lexicon_key key = lexicon_site_key_of_text(copy);
+	return key == KEY_SITE || key == KEY_MACHINE;
+}

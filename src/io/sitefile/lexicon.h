@@ -79,4 +79,8 @@ enum lexicon_key {
  * its end, or N_KEY. */
 enum lexicon_key lexicon_site_key_of_text(const char *text);
 
+/* True if the label of a line or column says that its cells name sites
+ * or machines: "Quarry", "Crusher No.". */
+bool lexicon_is_label_of_sites(const char *label);
+
 #endif

@@ -65,8 +65,8 @@ parse_mixed_fraction(const char **text)
 {
 	double whole = 0, part = 0, of = 1;
 	int n = 0;
-	if (sscanf(*text, "%lf %lf / %lf%n", &whole, &part, &of, &n) == 3 ||
-	    sscanf(*text, "%lf-%lf / %lf%n", &whole, &part, &of, &n) == 3) {
+	if (sscanf(*text, "%lf%*[ -]%lf / %lf%n", &whole, &part, &of, &n) ==
+	    3) {
 		*text += n;
 		return whole + part / of;
 	}
@@ -207,9 +207,11 @@ sieve_mm_of_name(const char *text, enum sieve_series head)
 		if (bare && (head == SIEVE_NONE || p[strspn(p, " ")] != '\0' ||
 				isnan(value)))
 			return 0;
-		series = bare && head == SIEVE_ASTM && strchr(text, '/') != NULL
-			     ? SIEVE_INCH
-			     : head;
+		bool inches =
+		    bare && head == SIEVE_ASTM && strchr(text, '/') != NULL;
+		if (inches && value == 3.5) /* of inches, or No. 3 1/2 */
+			return NAN;
+		series = inches ? SIEVE_INCH : head;
 	}
 	double mm = sieve_opening_of_number(series, value);
 	return series == SIEVE_INCH && bare && isnan(mm)

@@ -27,8 +27,8 @@ enum sieve_series sieve_series_of_name(const char *text);
 /* Returns the opening, mm, of the sieve with this name: an ASTM E11 number
  * after #, No. or Nº, inches such as 1/2 in, 1 1/2 inch or 3/8", or a mesh
  * number with Tyler or BS.  Returns 0 if the text is not a sieve name, and NAN
- * if it has the form of one but there is no such sieve.  head: the series of
- * numbers without a name, from the heading of the column. */
+ * if it has the form of one but there is no such sieve, or two.  head: the
+ * series of numbers without a name, from the heading of the column. */
 double sieve_mm_of_name(const char *text, enum sieve_series head);
 
 /* True if a size in mm is within 1 % of a sieve in ISO 565, EN 933-2 or ASTM

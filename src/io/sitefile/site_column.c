@@ -271,11 +271,12 @@ zero_cells_above_first_mass(struct column *c)
  * largest total, or NAN; where: its cell.  weighed: the total is the mass
  * before sieving, M1 of EN 933-1.  washed: the amount washed out, either
  * stated, or the difference between the masses before and after washing.  odd:
- * a mass about washing that does not tell what was washed out. */
+ * a mass about washing that does not tell what was washed out.  fines_lost:
+ * what was washed out is not known, but the mass that was sieved is. */
 struct foot {
 	double total, washed;
 	struct cell where, odd;
-	bool weighed;
+	bool weighed, fines_lost;
 };
 
 static struct foot
@@ -317,6 +318,7 @@ read_totals_below_column(const struct column *c, double sum)
 		foot.odd.text = NULL;
 	} else if (fabs(after - sum) <= MASS_TOLERANCE * sum) {
 		foot.odd.text = NULL; /* it is the mass put on the sieves */
+		foot.fines_lost = true;
 	}
 	return foot;
 }
@@ -343,6 +345,10 @@ add_washed_mass_to_pan(struct column *c, struct foot *foot)
 		    "washing' and 'mass after washing', or write the "
 		    "difference as 'washed out'",
 		    foot->odd.text);
+	if (foot->fines_lost)
+		xfree_and_set(&c->assumed,
+		    xasprintf("%s%s\n", c->assumed != NULL ? c->assumed : "\n",
+			tr("without what was washed out")));
 	if (foot->washed > 0)
 		c->pan = (isnan(c->pan) ? 0 : c->pan) + foot->washed;
 	return true;

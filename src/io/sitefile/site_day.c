@@ -17,22 +17,32 @@ is_date(const char *text, struct datetime *m)
 	return datetime_parse(text, m) && m->has_date;
 }
 
-/* Returns the only word of a heading that is a date, as in "Cut 2026-05-03, 72
- * m/s"; NULL if there is none, or several.  The caller frees it. */
+/* Returns the only date in a heading, "Cut 2026-05-03, 72 m/s" or "Cut 3 May
+ * 2026, 72 m/s"; NULL if there is none, or several.  The caller frees it. */
 static char *
 only_date_in_heading(const char *heading)
 {
+	static const char BETWEEN[] = " ,;()[]@\n";
 	struct datetime m;
-	FREED char *copy = xstrdup(heading);
-	char *rest = copy, *found = NULL;
-	for (char *word; (word = strtok_r(rest, " ,;()[]@\n", &rest));) {
-		if (!is_date(word, &m))
+	char *found = NULL;
+	for (const char *p = heading; *(p += strspn(p, BETWEEN)) != '\0';) {
+		size_t n = strcspn(p, BETWEEN);
+		const char *month = p + n + strspn(p + n, " ");
+		const char *year = month + strcspn(month, BETWEEN);
+		year += strspn(year, " ");
+		size_t last = strcspn(year, BETWEEN);
+		FREED char *word = xstrndup(p, n);
+		FREED char *words = xstrndup(p, (size_t)(year - p) + last);
+		/* "3 May 72 m/s" has no year. */
+		bool named = last == 4 && is_date(words, &m);
+		p = named ? year + last : p + n;
+		if (!named && !is_date(word, &m))
 			continue;
 		if (found != NULL) {
 			free(found);
 			return NULL;
 		}
-		found = xstrdup(word);
+		found = xstrdup(named ? words : word);
 	}
 	return found;
 }

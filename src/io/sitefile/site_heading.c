@@ -22,22 +22,33 @@
 static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
 
-static void
+/* Returns true if the key had another value in an earlier sheet. */
+static bool
 site_heading_set_site_field(struct site *site, enum lexicon_key key,
     struct sheet *sheet, struct cell cell)
 {
 	char **text[] = {
 	    &site->name, &site->rock, &site->machine, &site->provenance};
 	if (key != KEY_TOP_SIZE) {
+		const char *before = *text[key]; /* of another sheet or file */
+		bool other = key != KEY_PROVENANCE && before[0] != '\0' &&
+			     !text_is_same_folded(before, cell.text);
+		if (other)
+			xappend_to_list(&site->remark, "; ",
+			    tr("read as one site, though its sheets state "
+			       "'%.*s' and '%.*s'"),
+			    sheet_truncated_text_length(before), before,
+			    sheet_truncated_text_length(cell.text), cell.text);
 		free(*text[key]);
 		*text[key] = xstrdup(cell.text);
-		return;
+		return other;
 	}
 	double mm = site_sieve_read_mm(sheet, cell, 1, "a positive size in mm");
 	if (mm <= 0)
 		sheet_report_expected(sheet, cell, "a positive size in mm",
 		    "write the size, or remove the line");
 	site->top_size = mm / 1000;
+	return false;
 }
 
 /* Reads the first number of a text, such as 900 in "900 mm". */
@@ -265,7 +276,8 @@ report_key_without_value(struct sheet *sheet, struct cell key)
  * before, or 0.  third: a cell after the value, or NULL. */
 static void
 set_site_field(struct site *site, struct sheet *sheet, enum lexicon_key k,
-    struct cell key, struct cell value, const struct cell *third, int *seen)
+    struct cell key, struct cell value, const struct cell *third, int *seen,
+    struct heading_speed *speed)
 {
 	const char *known[N_KEY] = {
 	    site->name, site->rock, site->machine, site->provenance};
@@ -283,7 +295,8 @@ set_site_field(struct site *site, struct sheet *sheet, enum lexicon_key k,
 		    "remove one of the two lines",
 		    key.text, *seen);
 	else
-		site_heading_set_site_field(site, k, sheet, value);
+		speed->other_site |=
+		    site_heading_set_site_field(site, k, sheet, value);
 	/* The name of a machine may state its rotor, too. */
 	if (k == KEY_MACHINE && !(site->rotor > 0))
 		site->rotor = rotor_mm_of_key(sheet, key, value) / 1000;
@@ -326,11 +339,27 @@ set_site_field_from_next_key(struct site *site, struct sheet *sheet,
 	if (n == 1 && k == N_KEY && begins_with_site_key(key.text))
 		report_key_without_value(sheet, key);
 	else if (k < N_KEY)
-		set_site_field(site, sheet, k, key, value, more, &seen[k]);
+		set_site_field(
+		    site, sheet, k, key, value, more, &seen[k], speed);
 	else
 		read_other_key(
 		    site, sheet, key, n > 1 ? &value : NULL, more, speed);
 	return true;
+}
+
+/* True if a line above a later table names another site, rock or machine. */
+static bool
+names_other_site(const struct site *site, const struct row *row)
+{
+	const char *own[] = {site->name, site->rock, site->machine};
+	struct cell key, value, third;
+	FREED char *copy = NULL;
+	size_t at = 0;
+	if (next_key_and_value(row, &at, &key, &value, &third, &copy) != 2)
+		return false;
+	enum lexicon_key k = lexicon_site_key_of_text(key.text);
+	return k < ARRAY_LEN(own) && own[k][0] != '\0' &&
+	       !text_is_same_folded(own[k], value.text);
 }
 
 void
@@ -350,6 +379,10 @@ site_heading_read(const struct layout *layout, struct sheet *sheet,
 			for (size_t at = 0; set_site_field_from_next_key(site,
 				 sheet, layout->heading[i], &at, seen, speed);)
 				;
+	for (size_t i = 0; i < layout->n_heading; i++)
+		if (layout->heading[i]->line > first)
+			speed->other_site |=
+			    names_other_site(site, layout->heading[i]);
 }
 
 /* Returns the rotor's diameter, mm, that a line states in words or, if it has

@@ -7,10 +7,11 @@
 #include "io/sitefile/layout.h"
 
 /* Reads the lines above the tables into the site: name, rock, rotor, and other
- * lines as notes. */
+ * lines as notes.  other_site: they, or lines between tables, name another
+ * site, rock or machine than those of an earlier sheet or table. */
 struct heading_speed {
 	double mps, rpm;
-	bool differ;
+	bool differ, other_site;
 };
 void site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);

@@ -38,7 +38,8 @@ struct page {
 };
 
 /* A site being read.  table [n_table]: the tables of all layouts; all: their
- * columns.  lost: there is a fault, so it cannot be said what is missing. */
+ * columns.  lost: there is a fault, so it cannot be said what is missing.
+ * other_site: the sheets name several sites, rocks or machines. */
 struct reading {
 	const struct site_request *request;
 	struct error_list *errors;
@@ -51,7 +52,7 @@ struct reading {
 	struct table **table;
 	struct columns all;
 	struct open open;
-	bool lost;
+	bool lost, other_site;
 };
 
 /* Reports that there is no table.  Without one, nothing else can be checked. */
@@ -277,13 +278,35 @@ set_or_ask_top_size(struct reading *r, struct site_ask *ask)
 	    &r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
 }
 
+/* Reports a sample whose speeds in m/s and in rpm belong to another rotor than
+ * those of `first`, by more than what is rounded off; returns the first sample
+ * that states both. */
+static const struct column *
+check_rpm_agree_with_speed(const struct column *c, const struct column *first)
+{
+	const double ROUNDED_OFF = 0.02;
+	const struct head *a = first != NULL ? &first->said : &c->said;
+	if (!(c->said.speed > 0) || !(c->said.rpm > 0))
+		return first;
+	double ratio = c->said.speed / c->said.rpm * a->rpm / a->speed;
+	if (fabs(ratio - 1) > ROUNDED_OFF)
+		sheet_report_fault(c->table->sheet, c->head,
+		    "expected m/s and rpm of one rotor, got %g m/s at %g rpm "
+		    "and %g m/s at %g rpm\n"
+		    "correct the wrong number, or leave out the rpm",
+		    a->speed, a->rpm, c->said.speed, c->said.rpm);
+	return first != NULL ? first : c;
+}
+
 static void
 read_and_check_sheet_columns(struct reading *r)
 {
 	struct columns *all = &r->all;
+	const struct column *first = NULL;
 	for (size_t i = 0; i < all->n && !error_is_stop_requested(r->errors);
 	     i++) {
 		struct column *c = &all->column[i];
+		first = check_rpm_agree_with_speed(c, first);
 		site_column_read_values(c);
 		r->lost = r->lost || c->table->lost;
 	}
@@ -971,6 +994,7 @@ read_all_tables(struct reading *r)
 		if (page->layout->n == 0)
 			continue;
 		site_heading_read(page->layout, page->sheet, r->site, &told);
+		r->other_site = r->other_site || told.other_site;
 		set_rotor_of_site(r);
 		if (title_has_speed_per_table(page->layout))
 			told = (struct heading_speed){0};
@@ -1159,8 +1183,18 @@ set_feed_speeds_from_products(struct columns *all)
 static void
 accept_tables_as_one_site(struct reading *r)
 {
-	bool parts = r->request->parts;
-	bool tests = titles_are_separate_tests(r->table, r->n_table, &r->all);
+	const struct site_request *q = r->request;
+	const struct table *last =
+	    r->n_table > 1 ? r->table[r->n_table - 1] : NULL;
+	if (r->other_site && last != NULL && q->range == NULL &&
+	    !r->columns.others && r->samples.n == 0 &&
+	    last->sheet == r->table[0]->sheet) {
+		r->open.other = last;
+		return;
+	}
+	bool parts = q->parts;
+	bool tests = !r->other_site &&
+		     titles_are_separate_tests(r->table, r->n_table, &r->all);
 	if (!tests &&
 	    (r->open.other == NULL ||
 		!titles_are_speed_series(r->table, r->n_table, &r->all, parts)))
@@ -1370,8 +1404,10 @@ site_read_with_options(const struct site_request *request,
 		set_feed_speeds_from_files(&r);
 		if (request->feed)
 			drop_products_without_speed(&r);
-		if (r.n_table > 0)
+		if (r.n_table > 0) {
 			samples_report_missing(&r.samples, r.table[0]);
+			samples_report_missing(&r.columns, r.table[0]);
+		}
 		classify_columns_together(&r.all, r.site,
 		    r.columns.others || r.samples.n > 0, &r.open.rotor);
 		accept_tables_as_one_site(&r);

@@ -118,8 +118,10 @@ static const struct sample *
 find_sample_of_column(const struct samples *columns, size_t number)
 {
 	for (size_t i = 0; i < columns->n; i++)
-		if (columns->item[i].number == number)
+		if (columns->item[i].number == number) {
+			columns->item[i].found = true;
 			return &columns->item[i];
+		}
 	return NULL;
 }
 
@@ -353,6 +355,13 @@ samples_report_missing(const struct samples *s, const struct table *t)
 		i++;
 	if (i == s->n)
 		return;
+	if (s->item[i].number > 0) {
+		sheet_report_fault(t->sheet, t->row[0].cell[0],
+		    "expected columns of the table in columns, each once, got "
+		    "%s\nnumber the columns of the sheet from 1",
+		    s->item[i].name);
+		return;
+	}
 	FREED char *list = xstrdup("");
 	for (size_t c = 1; c < t->n_col && c <= SHOWN; c++) {
 		FREED char *label = samples_label_of_column(t, c);

@@ -62,8 +62,8 @@ bool samples_is_sheet_named(
  * false if the sample is not named there. */
 bool samples_apply_to_column(struct samples *samples, struct column *c);
 
-/* Reports the first sample named in samples= that was not found.  t: the table
- * whose samples the fault lists. */
+/* Reports the first sample named in samples=, or column in columns=, that was
+ * not found.  t: the table whose samples the fault lists. */
 void samples_report_missing(
     const struct samples *samples, const struct table *t);
 
