@@ -250,14 +250,16 @@ is_limit_not_redirection(const char *line, size_t at, const struct words *words)
 		return false;
 	const char *last = words->text[words->n - 1];
 	const char *before = words->text[words->n - 2];
-	if (strpbrk(last, " <>=") != NULL || strpbrk(before, "<>=") != NULL)
+	size_t length = strlen(before);
+	if (strpbrk(last, " <>=") != NULL ||
+	    (length > 0 && strchr("<>=", before[length - 1]) != NULL))
 		return false;
 	at += line[at + 1] == '=' ? 2 : 1;
 	at = skip_blanks(line, at);
 	size_t n = strcspn(line + at, " \t;,%");
 	FREED char *number = xstrndup(line + at, n);
 	double limit;
-	return text_parse_typed_number(number, &limit);
+	return value_parse_number(number, "mm", &limit);
 }
 
 /* Adds the > or >= of a limit as a word. */
