@@ -261,7 +261,7 @@ add_selection_function_rows(
 		answer_add_cells(r, "%g %g %.1f %.1f %.1f",
 		    pan ? 0 : units_m_to_mm(feed->size[i + 1]),
 		    units_m_to_mm(feed->size[i]), units_fraction_to_pct(mass),
-		    100 * S[i], 100 * S[i] * mass);
+		    100 * S[i], units_fraction_to_pct(S[i] * mass));
 	}
 }
 
