@@ -282,7 +282,7 @@ show_selection_function_at_speed(struct session *s, const struct args *args,
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, q->speed, NAN);
 	struct answer *r = answer_new_about_site(entry->site, "show",
-	    "selection function at %g m/s%s (Eq 3)", q->speed, rpm);
+	    "selection function at %.4g m/s%s (Eq 3)", q->speed, rpm);
 	add_selection_function_rows(r, feed, S);
 	answer_add_rows_as_json_objects(r, "rows");
 	fields_put_values(answer_json_fields(r),
