@@ -247,9 +247,10 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_DRAWS |
 		 COMMAND_DAILY,
 	.bare = "tph",
-	.option = OPTION_LIST(
-	    {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"}, {LAST_SPEED},
-	    FLOW_PARTS, {OFF_ON(best), "off", "find the speed that earns most"},
+	.option = OPTION_LIST({NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "",
+				  "new feed; default: that of circuit="},
+	    {LAST_SPEED}, FLOW_PARTS,
+	    {OFF_ON(best), "off", "find the speed that earns most"},
 	    {SPEED(from), "slowest speed of best=on; default 65, or less "
 			  "to cover the runs"},
 	    {SPEED(to), "fastest speed of best=on; default 85, or more to "
