@@ -584,11 +584,13 @@ value_parse(const struct command_option *option, const char *word,
 		    (double)value->whole <= option->most)
 			return true;
 		return error_expected_whole_number(option, word, error);
-	case VALUE_CHOICE:
-		if (text_find_word_in_list(
-			option_choices(option), word, &value->choice))
-			return true;
-		return error_wrong_choice(option, word, error);
+	case VALUE_CHOICE: {
+		FREED char *choice = xstrdup(word);
+		strip_unit(choice, option->unit);
+		return text_find_word_in_list(
+			   option_choices(option), choice, &value->choice) ||
+		       error_wrong_choice(option, word, error);
+	}
 	default:
 		return word[0] != '\0' ||
 		       error_set(error, ERROR_USAGE, "%s: expected a value",
