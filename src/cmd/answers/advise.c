@@ -199,19 +199,19 @@ note_best_sample_speed(struct answer *r, const struct advice_request *w,
 	    w->question->entry->site->rotor, best->speed, NAN);
 	if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
-		    "no single sample narrows the %.0f %% band of %s at %g "
+		    "no single sample narrows the %.0f %% band of %s at %.4g "
 		    "m/s (%.2g%s wide) by more than %.0f %%: take several",
 		    level, w->name, w->question->speed, width, w->unit,
 		    fmax(less, 0));
 	else
 		answer_note(r,
 		    best->repeat
-			? N_("a sample at %g m/s%s (a repeat) is expected to "
-			     "narrow the %.0f %% band of %s at %g m/s most: "
+			? N_("a sample at %.4g m/s%s (a repeat) is expected to "
+			     "narrow the %.0f %% band of %s at %.4g m/s most: "
 			     "from %.2g to %.2g%s, by %.0f %%")
-			: N_("a sample at %g m/s%s is expected to narrow the "
-			     "%.0f %% band of %s at %g m/s most: from %.2g to "
-			     "%.2g%s, by %.0f %%"),
+			: N_("a sample at %.4g m/s%s is expected to narrow the "
+			     "%.0f %% band of %s at %.4g m/s most: from %.2g "
+			     "to %.2g%s, by %.0f %%"),
 		    best->speed, rpm, level, w->name, w->question->speed, width,
 		    best->width, w->unit, less);
 }
@@ -277,14 +277,13 @@ build_next_sample_answer(
 		return NULL;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, w->question->speed, NAN);
 	struct answer *r = answer_new_about_site(entry->site, "advise",
-	    "what to sample next, for %s at %g m/s%s", w->name,
+	    "what to sample next, for %s at %.4g m/s%s", w->name,
 	    w->question->speed, rpm);
 	answer_add_columns(r, "speed: sample at m/s");
 	if (rotor > 0)
 		answer_add_columns(r, "rpm: rpm");
 	answer_add_columns(r,
-	    "kind, width%s: band after%s, "
-	    "narrower_pct: narrower %%",
+	    "kind, width%s: band after%s, narrower_pct: narrower %%",
 	    quantities_is_size(&w->q)                  ? "_mm"
 	    : strcmp(quantities_unit(&w->q), "%") == 0 ? "_points"
 						       : "",

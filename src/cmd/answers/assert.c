@@ -70,25 +70,22 @@ evaluate_assert_operand(const struct session *s, const char *word,
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected a number or a name, got '%s'\n"
 		    "use one of p20 p50 p80 break speed extrapolated inside "
-		    "misfit rmse poor holdout",
+		    "misfit rmse poor holdout, and spaces around = < and >",
 		    word);
 	return !isnan(*value) ||
 	       error_set(error, ERROR_CHECK,
 		   strchr(word, '.') != NULL
 		       ? N_("%s is not known\n"
 			    "run the command first; 'set format json' shows "
-			    "the "
-			    "fields of a result. Another site or a new "
+			    "the fields of a result. Another site or a new "
 			    "calibration clears them")
 		       : N_("%s is not known\n"
 			    "run the command that sets it: predict or find "
-			    "(p20, "
-			    "p50, p80, break, speed, extrapolated), spec "
+			    "(p20, p50, p80, break, speed, extrapolated), spec "
 			    "(inside), calibrate (misfit, rmse, and poor "
-			    "unless "
-			    "there are too few data), validate (holdout). "
-			    "Another "
-			    "site or a new calibration clears them"),
+			    "unless there are too few data), validate "
+			    "(holdout). Another site or a new calibration "
+			    "clears them"),
 		   word);
 }
 

@@ -101,7 +101,7 @@ cmd_figures(struct session *s, const struct args *args,
 	bool band = n > 0 && forecast_draws_of_quantity(all, 0) != NULL;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct answer *r = answer_new_about_site(entry->site, "figures",
-	    "figures of the product at %g m/s%s", v, rpm);
+	    "figures of the product at %.4g m/s%s", v, rpm);
 	fields_put_values(answer_json_fields(r), "speed %g extrapolated %d", v,
 	    answers_is_speed_extrapolated(entry, v));
 	add_quantity_rows(r, fields_add_list(answer_json_fields(r), "figures"),

@@ -784,7 +784,7 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	FREED char *words = envelope_title_text(&g);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct answer *r = answer_new_about_site(
-	    entry->site, "find", "%s at %g m/s%s", words, v, rpm);
+	    entry->site, "find", "%s at %.4g m/s%s", words, v, rpm);
 	envelope_add_sieve_rows(r, &g, v);
 	conditions_note_best_speed(r, &g.conditions, true, goal->detail, w);
 	note_speeds_meeting_envelope(r, goal, &g, w);

@@ -149,11 +149,12 @@ note_equations_with_numbers(
 }
 
 static bool
-show_model(struct session *s, const struct args *args, struct error *error)
+show_model_with_feed(struct session *s, const struct args *args,
+    struct question *q, struct error *error)
 {
 	(void)args;
 	(void)error;
-	const struct entry *entry = session_current_site_entry(s);
+	const struct entry *entry = q->entry;
 	const struct site *site = entry->site;
 	struct answer *r = answer_new_about_site(site, "show", "the model");
 	const struct model_settings *set = &s->set.model;
@@ -173,11 +174,11 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
 		v = v > 0 ? v : answers_default_speed(entry);
-		if (site_run_repeats_speed(site, i) && !site->individual_feeds)
+		if (site_run_repeats_speed(site, i))
 			continue;
 		if (entry->has_params) {
 			struct prediction p =
-			    forecast_whole_product(s, entry, v, i);
+			    forecast_whole_product(s, entry, v, q->feed);
 			x = 1000 * p.break_size;
 			selected = 100 * p.selected;
 			prediction_free(&p);
@@ -194,7 +195,14 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	else
 		answer_note(
 		    r, "no parameters yet: run 'calibrate' or 'params set'");
+	feed_add_note_to_answer(r, site, q->feed, NULL, 0);
 	return session_show_answer(s, r);
+}
+
+static bool
+show_model(struct session *s, const struct args *args, struct error *error)
+{
+	return question_read_and_answer(s, args, show_model_with_feed, error);
 }
 
 /* People see a row for each model, programs one for each parameter. */
@@ -253,7 +261,7 @@ add_selection_function_rows(
 		answer_add_cells(r, "%g %g %.1f %.1f %.1f",
 		    pan ? 0 : units_m_to_mm(feed->size[i + 1]),
 		    units_m_to_mm(feed->size[i]), units_fraction_to_pct(mass),
-		    100 * S[i], 100 * S[i] * mass);
+		    100 * S[i], units_fraction_to_pct(S[i] * mass));
 	}
 }
 
@@ -263,6 +271,7 @@ show_selection_function_at_speed(struct session *s, const struct args *args,
 {
 	const struct entry *entry = q->entry;
 	const struct psd *feed = question_feed(q);
+	question_use_last_speed(s, q);
 	struct prediction p =
 	    forecast_whole_product(s, entry, q->speed, q->feed);
 	FREED double *S = xcalloc_doubles(feed->n);
@@ -273,7 +282,7 @@ show_selection_function_at_speed(struct session *s, const struct args *args,
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, q->speed, NAN);
 	struct answer *r = answer_new_about_site(entry->site, "show",
-	    "selection function at %g m/s%s (Eq 3)", q->speed, rpm);
+	    "selection function at %.4g m/s%s (Eq 3)", q->speed, rpm);
 	add_selection_function_rows(r, feed, S);
 	answer_add_rows_as_json_objects(r, "rows");
 	fields_put_values(answer_json_fields(r),

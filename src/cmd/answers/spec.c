@@ -136,8 +136,7 @@ show_envelope_list(
 	struct answer *r = answer_new("spec");
 	answer_set_title(r, "grading envelopes, for 'spec use'");
 	answer_add_columns(r,
-	    "cut: fraction mm, sieves, from_mm: from mm, to_mm: "
-	    "to mm, name");
+	    "cut: fraction mm, sieves, from_mm: from mm, to_mm: to mm, name");
 	for (size_t i = 0; i < all->n; i++) {
 		const struct spec *spec = all->spec[i];
 		FREED char *cut = envelope_fraction_text(spec);
@@ -220,7 +219,7 @@ compare_product_with_envelope(struct session *s, const struct args *args,
 	FREED char *name = envelope_title_text(&g);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct answer *r = answer_new_about_site(
-	    entry->site, "spec", "%s at %g m/s%s", name, v, rpm);
+	    entry->site, "spec", "%s at %.4g m/s%s", name, v, rpm);
 	envelope_add_sieve_rows(r, &g, v);
 	note_envelope_verdict(r, &g, v);
 	envelope_add_notes(r, &g);

@@ -52,15 +52,15 @@ const struct command TABLE_ANSWERS[] = {
 	    "product is the model corrected for what the measured runs show "
 	    "that it leaves out; 'set correction' chooses the runs. low and "
 	    "high are the uncertainty band: the true value lies between them "
-	    "with the probability in the title. detail=on also shows the model "
-	    "alone. See UNCERTAINTY in tipspeed-model(7). feed=FILE predicts "
-	    "with the feed of any sheet that load reads, rpm= gives the speed "
-	    "in rpm, and rotor_mm=, cascade= and k= ask about another machine; "
-	    "see OTHER FEEDS AND MACHINES. After >, a file whose name ends in "
-	    ".svg, .png or .pdf gets the curves, as plot psd draws them.",
-	.more = "With names of figures after the speed, only these are shown: "
-		"predict 72 passing 2 P80. Several speeds are shown side by "
-		"side: predict 65..85:5.",
+	    "with the probability in the title. See UNCERTAINTY in "
+	    "tipspeed-model(7). feed=FILE predicts with the feed of any sheet "
+	    "that load reads, rpm= gives the speed in rpm, and rotor_mm=, "
+	    "cascade= and k= ask about another machine; see OTHER FEEDS AND "
+	    "MACHINES. After >, a file whose name ends in .svg, .png or .pdf "
+	    "gets the curves, as plot psd draws them. With names of figures "
+	    "after the speed, only these are shown: predict 72 passing 2 P80. "
+	    "Several speeds are shown side by side: predict 65..85:5. The "
+	    "options are then those of figures, sweep or card.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npredict 74\n"
 		   "predict 72 passing 2 P80",
 	.answer = cmd_predict},
@@ -88,17 +88,16 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "products over a range of speeds",
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS,
 	.bare = "speeds",
-	.option =
-	    OPTION_LIST({NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
-		"rotor tip speeds; default 65..85:5, extended or moved to "
-		"cover the runs"}),
+	.option = OPTION_LIST({NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL,
+	    "", "rotor tip speeds; default: at most seven round ones"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT},
 	.text =
 	    "Predicts at several speeds, as predict 65..85:5 does. "
 	    "Up to seven speeds are shown side by side, sieve by sieve; "
-	    "more are listed one per row. Without speeds= it covers 65 to 85 "
-	    "m/s and the runs outside that range; if all runs are below "
-	    "32.5 or above 170 m/s, it covers only the range around them.",
+	    "more are listed one per row. Without speeds= it takes round "
+	    "speeds, in rpm for a sheet in rpm, within 65 to 85 m/s and the "
+	    "runs outside that range; if all runs are below 32.5 or above 170 "
+	    "m/s, within the range around them only.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nsweep 65,74,85\n"
 		   "predict 65..85:5",
 	.answer = cmd_sweep},
@@ -248,9 +247,10 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_DRAWS |
 		 COMMAND_DAILY,
 	.bare = "tph",
-	.option = OPTION_LIST(
-	    {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"}, {LAST_SPEED},
-	    FLOW_PARTS, {OFF_ON(best), "off", "find the speed that earns most"},
+	.option = OPTION_LIST({NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "",
+				  "new feed; default: that of circuit="},
+	    {LAST_SPEED}, FLOW_PARTS,
+	    {OFF_ON(best), "off", "find the speed that earns most"},
 	    {SPEED(from), "slowest speed of best=on; default 65, or less "
 			  "to cover the runs"},
 	    {SPEED(to), "fastest speed of best=on; default 85, or more to "

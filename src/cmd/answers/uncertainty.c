@@ -480,6 +480,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 		s->set.noise = args->noise;
 	if (args_is_given(args, &args->speed_sd))
 		s->set.speed_sd = args->speed_sd;
+	q->level = settings_band_probability(&s->set);
 	bool ok = next ? cmd_advise(s, args, q, error)
 		       : show_prediction_uncertainty(s, args, q, draws, error);
 	if (!ok)

@@ -405,8 +405,7 @@ add_size_class_rows_for_people(struct answer *r, const struct mass_change *b)
 	for (size_t k = 0; k < 2; k++) {
 		double v = b->p[k].speed;
 		answer_add_columns(r,
-		    "stay_%zu: stay %g, left_%zu: left %g, "
-		    "came_%zu: came %g",
+		    "stay_%zu: stay %g, left_%zu: left %g, came_%zu: came %g",
 		    k, v, k, v, k, v);
 	}
 	answer_add_columns(r, "change");

@@ -512,12 +512,15 @@ conditions_parse_search_range(const struct session *s, const struct args *args,
 	settings_default_speed_range(&s->set, site, from, to);
 	*from = args->from > 0 ? args->from : *from;
 	*to = args->to > 0 ? args->to : *to;
-	bool swap = args->from > 0 && args->to > 0 && args->from > args->to;
-	return *from < *to ||
-	       error_set(error, ERROR_USAGE,
-		   "from= must be below to=, got %g and %g m/s\n"
-		   "write from=%g to=%g",
-		   *from, *to, swap ? *to : 65, swap ? *from : 85);
+	if (*from < *to)
+		return true;
+	double low = args->from > 0 ? *from : fmax(*to - 10, 1),
+	       high = args->from > 0 ? *from + 10 : *to;
+	bool swap = args->from > 0 && args->to > 0 && *from > *to;
+	return error_set(error, ERROR_USAGE,
+	    "from= must be below to=, got %g and %g m/s\n"
+	    "write from=%g to=%g",
+	    *from, *to, swap ? *to : low, swap ? *from : high);
 }
 
 char *

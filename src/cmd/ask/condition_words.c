@@ -59,13 +59,17 @@ replace_and_by_comma(struct words *words, size_t i)
 	words_replace_by_one(words, i, 2, with);
 }
 
-/* True if a word continues the condition before it. */
+/* True if a word continues the condition before it.  "speed=74" does not after
+ * a limit: it is an option, which the command may not have. */
 static bool
 does_word_continue_condition(
     const struct command *command, const char *before, const char *word)
 {
+	bool option = strpbrk(before, "<>=") != NULL &&
+		      isalpha((unsigned char)word[0]) &&
+		      strchr(word, '=') != NULL;
 	return !is_option_word(command, word) && strchr(word, ' ') == NULL &&
-	       !(is_beginning_of_condition(word) &&
+	       !((option || is_beginning_of_condition(word)) &&
 		   conditions_is_likely_complete(before));
 }
 

@@ -133,9 +133,9 @@ parse_speed_or_rpm(
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected the rotor's diameter with rpm, which %s does "
 		    "not state\n"
-		    "write: %s rpm=%g rotor_mm=DIAMETER, or a line rotor_mm in "
-		    "the site file",
-		    name, site->name, name, rpm);
+		    "add rotor_mm=DIAMETER, or a line rotor_mm in the site "
+		    "file",
+		    name, site->name);
 	q->speed = site_speed_from_rpm(site, rpm, diameter);
 	return (q->speed >= 1 && q->speed <= SITE_FASTEST) ||
 	       error_set(error, ERROR_USAGE,

@@ -16,7 +16,7 @@
 		"a loaded site, or pinned, instead of the one in use"},      \
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",              \
 		"sweep, response: which; runs: added ones"},                 \
-	    {OFF_ON(band), "off", "psd: shade the 80 % uncertainty band"},   \
+	    {OFF_ON(band), "off", "psd: shade the uncertainty band"},        \
 	    {TEXT(of), NULL, "",                                             \
 		"response: quantities, such as passing 2,P50,0/4"},          \
 	    {TEXT(limits), NULL, "",                                         \

@@ -353,6 +353,8 @@ command_option_valid_values_text(const struct command_option *o)
 		char *list = xstrdup("");
 		for (const char *c = option_choices(o); *c != '\0'; c++)
 			xappend(&list, *c == ' ' ? ", " : "%c", *c);
+		if (o->unit[0] != '\0')
+			xappend(&list, " %s", o->unit);
 		return list;
 	}
 	FREED char *least = option_limit_text(o->least),

@@ -250,14 +250,16 @@ is_limit_not_redirection(const char *line, size_t at, const struct words *words)
 		return false;
 	const char *last = words->text[words->n - 1];
 	const char *before = words->text[words->n - 2];
-	if (strpbrk(last, " <>=") != NULL || strpbrk(before, "<>=") != NULL)
+	size_t length = strlen(before);
+	if (strpbrk(last, " <>=") != NULL ||
+	    (length > 0 && strchr("<>=", before[length - 1]) != NULL))
 		return false;
 	at += line[at + 1] == '=' ? 2 : 1;
 	at = skip_blanks(line, at);
 	size_t n = strcspn(line + at, " \t;,%");
 	FREED char *number = xstrndup(line + at, n);
 	double limit;
-	return text_parse_typed_number(number, &limit);
+	return value_parse_number(number, "mm", &limit);
 }
 
 /* Adds the > or >= of a limit as a word. */
@@ -454,6 +456,12 @@ parse_range_of_speeds(const struct command_option *option, char *word,
 {
 	double from, to, step = 1;
 	char *colon = strchr(dots + 2, ':');
+	if (colon == NULL && strchr(dots, ',') != NULL)
+		return error_set(error, ERROR_USAGE,
+		    "%s: expected a range alone, got '%s'\n"
+		    "write a step after a colon, and a decimal point: "
+		    "65..85:2.5",
+		    option->name, word);
 	*dots = '\0';
 	if (colon != NULL)
 		*colon = '\0';
@@ -576,11 +584,13 @@ value_parse(const struct command_option *option, const char *word,
 		    (double)value->whole <= option->most)
 			return true;
 		return error_expected_whole_number(option, word, error);
-	case VALUE_CHOICE:
-		if (text_find_word_in_list(
-			option_choices(option), word, &value->choice))
-			return true;
-		return error_wrong_choice(option, word, error);
+	case VALUE_CHOICE: {
+		FREED char *choice = xstrdup(word);
+		strip_unit(choice, option->unit);
+		return text_find_word_in_list(
+			   option_choices(option), choice, &value->choice) ||
+		       error_wrong_choice(option, word, error);
+	}
 	default:
 		return word[0] != '\0' ||
 		       error_set(error, ERROR_USAGE, "%s: expected a value",
@@ -611,8 +621,8 @@ error_unknown_option(const struct command *command, const char *name,
 		    name, command_shown_name(command), name, value);
 		return;
 	}
-	error_set(
-	    error, ERROR_USAGE, "%s has no option '%s'", command->name, name);
+	error_set(error, ERROR_USAGE, "%s has no option '%s'",
+	    command_shown_name(command), name);
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
 		size_t far = text_edit_distance(o->name, name);
@@ -682,17 +692,6 @@ parse_one_command_argument(
 	args->column[args->n_operand] = column;
 	args->operand[args->n_operand++] = word;
 	return true;
-}
-
-/* Returns false with an error if the last word is a setting without its value:
- * "set method". */
-static bool
-refuse_setting_without_value(
-    const struct command *command, const char *word, struct error *error)
-{
-	size_t i = command_option_index(command, word);
-	return i == OPTIONS ||
-	       error_option_without_value(command_option_at(command, i), error);
 }
 
 /* Parses "method classes", which means "method=classes". */
@@ -799,8 +798,8 @@ check_number_of_operands(const struct args *args, struct error *error)
 			      "usage: %s")
 			 : N_("%s: expected %s\n"
 			      "usage: %s"),
-	    command->name, more != NULL ? more : command->operands.usage,
-	    usage);
+	    command_shown_name(command),
+	    more != NULL ? more : command->operands.usage, usage);
 	if (more != NULL &&
 	    text_file_ending(more, FILES, ARRAY_LEN(FILES)) < ARRAY_LEN(FILES))
 		error_set_hint(error, "for a file of results write > %s", file);
@@ -869,14 +868,17 @@ parse_command_arguments(const struct words *words, struct args *args,
 		const char *word = words->text[i];
 		bool last = i + 1 == words->n;
 		bool pair = set && !last && strchr(word, '=') == NULL;
+		/* "set method" without its value */
+		size_t named =
+		    set && last ? command_option_index(command, word) : OPTIONS;
 		*column = words->column[i];
 		bool ok = pair ? parse_option_as_two_words(
 				     word, words->text[i + 1], args, error)
-			       : (!set || !last ||
-				     refuse_setting_without_value(
-					 command, word, error)) &&
-				     parse_one_command_argument(
-					 word, *column, args, error);
+			  : named < OPTIONS
+			      ? error_option_without_value(
+				    command_option_at(command, named), error)
+			      : parse_one_command_argument(
+				    word, *column, args, error);
 		if (!ok)
 			return false;
 		i += pair;

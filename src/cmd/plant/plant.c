@@ -360,6 +360,10 @@ parse_prices(const struct args *args, struct plant *p, struct error *error)
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		p->priced = p->priced || isfinite(p->circuit->unit[u].price);
 	p->kwh = args->kwh;
+	if (ok && p->kwh > 0 && !p->priced)
+		return error_set(error, ERROR_USAGE,
+		    "expected prices= with kwh=, which is taken off the "
+		    "earnings\nadd prices, such as prices=0/2:12,2/5:9");
 	return ok;
 }
 

@@ -25,13 +25,14 @@ has_speed_operands(const struct command *command)
 	       (command->flags & COMMAND_FILES) == 0;
 }
 
-/* True if the word is "rpm=1500..1700:50", or "rpm=1500" for a command without
- * the option rpm=, and therefore stands for speeds=. */
+/* True if the word is "rpm=1500..1700:50", or "rpm=1500" for a command that has
+ * speeds= and not rpm=, and therefore stands for speeds=. */
 static bool
 is_speed_list_in_rpm(const struct command *of, const char *word)
 {
 	return strncmp(word, RPM_IS, strlen(RPM_IS)) == 0 &&
-	       (command_option_index(of, RPM) == OPTIONS ||
+	       ((command_option_index(of, RPM) == OPTIONS &&
+		    command_option_index(of, "speeds") < OPTIONS) ||
 		   strstr(word, "..") != NULL || strchr(word, ',') != NULL);
 }
 
@@ -46,15 +47,6 @@ is_value_in_rpm(const char *value)
 	       value[strspn(value, "0123456789.,:rpm")] == '\0' &&
 	       (text_ends_with(value, RPM) ||
 		   (first > SITE_FASTEST && first <= MOST_RPM));
-}
-
-/* True for "1500" and "1500rpm". */
-static bool
-is_number_or_rpm(const char *value)
-{
-	char *end;
-	strtod(value, &end);
-	return *end == '\0' || strcmp(end, RPM) == 0;
 }
 
 /* Returns the value in word i, after "from=" or from its beginning, if it is in
@@ -214,20 +206,19 @@ convert_rpm_within_words_to_mps(struct session *s, struct words *words)
 	}
 }
 
-/* Says what to type where speeds are in rpm and the rotor is not known. */
+/* Says what to add where speeds are in rpm and the rotor is not known. */
 static bool
 error_rotor_unknown(struct session *s, const struct words *words,
     struct place place, size_t i, struct error *error)
 {
-	FREED char *line = xstrdup("");
-	for (size_t k = 0; k < words->n; k++)
-		xappend_to_list(&line, " ", "%s", words->text[k]);
 	bool has = command_option_index(words->command, "rotor_mm") < OPTIONS;
 	error_set_at(error, ERROR_USAGE, place.file, place.line,
 	    words->column[i],
 	    "expected the rotor's diameter with rpm, which %s does not state",
 	    session_current_site_entry(s)->site->name);
-	return has ? error_set_hint(error, "write: %s rotor_mm=DIAMETER", line)
+	return has ? error_set_hint(error,
+			 "add rotor_mm=DIAMETER, or a line rotor_mm in the "
+			 "site file")
 		   : error_set_hint(error,
 			 "write: load FILE rotor_mm=DIAMETER, or a line "
 			 "rotor_mm in the site file");
@@ -253,17 +244,19 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 			continue;
 		bool bare =
 		    turns == word || is_speed_list_in_rpm(command, word);
-		bool option = n == 1 && bare && !has_speed_operands(command) &&
-			      command_option_index(command, RPM) < OPTIONS &&
-			      is_number_or_rpm(turns);
+		int digits = (int)strspn(turns, "0123456789.");
+		bool number =
+		    strpbrk(turns, ",:") == NULL && strstr(turns, "..") == NULL;
+		bool option = n == 1 && bare && number &&
+			      !has_speed_operands(command) &&
+			      command_option_index(command, RPM) < OPTIONS;
 		if (!option && !(diameter > 0))
 			return error_rotor_unknown(s, words, place, i, error);
 		FREED char *steps = expand_rpm_range_text(turns);
 		FREED char *speeds =
 		    convert_rpm_text_to_mps(s, steps, diameter);
 		FREED char *now =
-		    option ? xasprintf("rpm=%.*s",
-				 (int)strspn(turns, "0123456789."), turns)
+		    option ? xasprintf("rpm=%.*s", digits, turns)
 		    : bare && (strchr(steps, ',') != NULL || turns != word)
 			? xasprintf("speeds=%s", speeds)
 			: xasprintf(

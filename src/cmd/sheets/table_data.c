@@ -175,12 +175,10 @@ const struct command TABLE_DATA[] = {
 	     "appearance equations claims search store log"},
 	    0, 1},
 	.flags = COMMAND_DURING_SEARCH,
-	.option =
-	    OPTION_LIST({SPEED(speed), "speed of the selection function; "
-				       "default: a held-out speed, else 74"},
-		{WHOLE(every), "", 1, 1e6, NULL, "",
-		    "search: every N-th generation; default: as many as fit a "
-		    "screen"}),
+	.option = OPTION_LIST({LAST_OR_USUAL_SPEED},
+	    {WHOLE(every), "", 1, 1e6, NULL, "",
+		"search: every N-th generation; default: as many as fit a "
+		"screen"}),
 	.shared = {SHARED_FEED},
 	.text =
 	    "site: the site file, its source and contents; feed and product: "
