@@ -97,7 +97,7 @@ static const struct {
 	"maskevidde kornstorrelse sikte d "
 	"luz "
 	"setaccio setacci vaglio vagli maglia maglie luce zeef zeven zeefmaat "
-	"apning сито сита 筛孔 筛孔尺寸 孔径 粒径 筛"},
+	"apning srednica диаметр сито сита 筛孔 筛孔尺寸 孔径 粒径 筛"},
     {WORD_SIZE | WORD_MESH, "mesh meshes"},
     {WORD_TYLER, "tyler"},
     {WORD_BS, "bs bss"},
