@@ -197,16 +197,20 @@ static const struct {
     {" more than ", '>'}, {" less than ", '<'}, {" min ", '>'}, {" max ", '<'}};
 
 /* Returns the length of the word before a size for what passes it, as in "under
- * 2 mm", or 0. */
+ * 2 mm", or is retained, as in "over 8 mm"; or 0. */
 static size_t
-length_of_passing_word(const char *text)
+length_of_passing_word(const char *text, bool *retained)
 {
-	static const char *const WORDS[] = {
-	    "passing ", "passes ", "under ", "below ", "finer than ", "<"};
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
-		if (strncasecmp(text, WORDS[i], strlen(WORDS[i])) == 0)
-			return strlen(WORDS[i]);
-	return 0;
+	static const char *const WORDS[] = {"over ", "above ", "coarser than ",
+	    "retained on ", "passing ", "passes ", "under ", "below ",
+	    "finer than ", "<"};
+	enum { RETAINED = 4 };
+	size_t i = 0;
+	while (i < ARRAY_LEN(WORDS) &&
+	       strncasecmp(text, WORDS[i], strlen(WORDS[i])) != 0)
+		i++;
+	*retained = i < RETAINED;
+	return i < ARRAY_LEN(WORDS) ? strlen(WORDS[i]) : 0;
 }
 
 /* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passing
@@ -226,14 +230,15 @@ rewrite_value_first_condition(const char *text)
 	int n = (int)strspn(text, "0123456789.,");
 	const char *of = text + n + strspn(text + n, " %");
 	bool percent = strchr(text, '%') != NULL;
-	size_t word = length_of_passing_word(of);
+	bool retained;
+	size_t word = length_of_passing_word(of, &retained);
 	struct quantity q;
 	struct error none = {0};
 	if (n == 0 || strpbrk(of + word, "<>=") != NULL)
 		return NULL;
 	if (word > 0 && (percent || *of != '<'))
-		return xasprintf(
-		    "passing %s %c %.*s %%", of + word, sign, n, text);
+		return xasprintf("%s %s %c %.*s %%",
+		    retained ? "over" : "passing", of + word, sign, n, text);
 	return percent && quantities_parse_one(of, &PARTITION_IDEAL, &q, &none)
 		   ? xasprintf("%s %c %.*s %%", of, sign, n, text)
 		   : NULL;
@@ -245,11 +250,12 @@ rewrite_value_first_condition(const char *text)
 static char *
 name_passing_of_size(const char *text)
 {
-	size_t word = length_of_passing_word(text);
+	bool retained;
+	size_t word = length_of_passing_word(text, &retained);
 	const char *size = text + word, *unit = size + strspn(size, SIZE);
 	bool named = unit > size && (word > 0 || strncmp(unit, "mm", 2) == 0) &&
 		     strpbrk(unit, "<>=") != NULL;
-	return named ? xasprintf("passing %s", size) : NULL;
+	return named && !retained ? xasprintf("passing %s", size) : NULL;
 }
 
 /* Returns the text with words such as " at least " replaced by a sign.  The
@@ -329,7 +335,11 @@ parse_condition_with_sign(const char *text, const struct fraction *fraction,
 		return error_expected_condition(text, error);
 	if (text[n] == '\0')
 		return error_missing_limit_sign(text, fraction, error);
-	FREED char *name = xstrndup(text, n);
+	bool retained;
+	size_t word = length_of_passing_word(text, &retained);
+	FREED char *name =
+	    retained ? xasprintf("passing %.*s", (int)(n - word), text + word)
+		     : xstrndup(text, n);
 	bool ok = quantities_parse_one(
 		      name, &fraction->partition, &c->quantity, error) &&
 		  quantities_apply_cut_option(&c->quantity, fraction, error);
@@ -338,10 +348,15 @@ parse_condition_with_sign(const char *text, const struct fraction *fraction,
 	const char *limit = text + n + 1;
 	limit += text[n] != '=' && *limit == '=';
 	c->least = c->most = NAN;
-	if (text[n] == '=')
-		return parse_range_or_number(limit, c, error);
-	return parse_condition_limit(
-	    limit, &c->quantity, text[n] == '<' ? &c->most : &c->least, error);
+	ok = text[n] == '=' ? parse_range_or_number(limit, c, error)
+			    : parse_condition_limit(limit, &c->quantity,
+				  text[n] == '<' ? &c->most : &c->least, error);
+	if (ok && retained) {
+		double least = c->least;
+		c->least = 1 - c->most;
+		c->most = 1 - least;
+	}
+	return ok;
 }
 
 bool

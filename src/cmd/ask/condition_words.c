@@ -43,7 +43,9 @@ is_beginning_of_condition(const char *word)
 	bool most;
 	return quantities_is_beginning_of_text(word) ||
 	       conditions_parse_max_or_min(with, &most) != NULL ||
-	       text_find_word_in_list("at under below finer", word, &which);
+	       text_find_word_in_list(
+		   "at under below finer over above coarser retained", word,
+		   &which);
 }
 
 /* If "and" and a condition follow word i, puts a comma in the place of "and".
