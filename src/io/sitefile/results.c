@@ -46,7 +46,8 @@ command_on_about_sheet(const struct sheet *sheet)
 
 /* Returns the command of an answer as text or Markdown, which does not name it,
  * but says how far to trust what it predicts, or has the headings of a plot's
- * numbers.  The results may be in another language than the one in use. */
+ * numbers; or that of stored materials.  The results may be in another language
+ * than the one in use. */
 static const char *
 command_by_line_of_answer(const struct row *row)
 {
@@ -57,6 +58,10 @@ command_by_line_of_answer(const struct row *row)
 	for (size_t i = 0; i < ARRAY_LEN(TRUST); i++)
 		if (strncmp(first, TRUST[i], strlen(TRUST[i])) == 0)
 			return "predict";
+	if (row->n > 3 && strcmp(first, "name") == 0 &&
+	    strcmp(row->cell[1].text, "site") == 0 &&
+	    strcmp(row->cell[2].text, "rock") == 0)
+		return "store export";
 	bool plot =
 	    (strcmp(first, "series") == 0 && strcmp(last, "high") == 0) ||
 	    (strcmp(first, "serie") == 0 && strcmp(last, "hög") == 0);
