@@ -1374,6 +1374,8 @@ site_read_with_options(const struct site_request *request,
 			drop_products_without_speed(&r);
 		if (r.n_table > 0)
 			samples_report_missing(&r.samples, r.table[0]);
+		if (r.n_table > 0 && r.columns.others)
+			samples_report_missing(&r.columns, r.table[0]);
 		classify_columns_together(&r.all, r.site,
 		    r.columns.others || r.samples.n > 0, &r.open.rotor);
 		accept_tables_as_one_site(&r);

@@ -115,12 +115,15 @@ samples_clear(struct samples *s)
 }
 
 static const struct sample *
-find_sample_of_column(const struct samples *columns, size_t number)
+find_sample_of_column(struct samples *columns, size_t number)
 {
-	for (size_t i = 0; i < columns->n; i++)
-		if (columns->item[i].number == number)
-			return &columns->item[i];
-	return NULL;
+	size_t i = 0;
+	while (i < columns->n && columns->item[i].number != number)
+		i++;
+	if (i == columns->n)
+		return NULL;
+	columns->item[i].found = true;
+	return &columns->item[i];
 }
 
 /* Moves column c of some rows to place n, and makes it the last for now. */
@@ -147,7 +150,7 @@ set_day_of_each_column(struct table *t)
 
 /* Gives the columns new headings and drops those that the user did not name. */
 static void
-rename_and_keep_named_columns(const struct samples *columns, struct table *t)
+rename_and_keep_named_columns(struct samples *columns, struct table *t)
 {
 	size_t n = 0;
 	struct row head = {.line = t->row[0].line};
@@ -182,7 +185,7 @@ rename_and_keep_named_columns(const struct samples *columns, struct table *t)
 }
 
 uint64_t
-samples_set_column_headings(const struct samples *columns, struct table *t)
+samples_set_column_headings(struct samples *columns, struct table *t)
 {
 	const struct sample *sieves =
 	    find_sample_of_column(columns, t->number[0]);
@@ -353,6 +356,13 @@ samples_report_missing(const struct samples *s, const struct table *t)
 		i++;
 	if (i == s->n)
 		return;
+	if (s->item[i].number > 0) {
+		sheet_report_fault(t->sheet, t->row[0].cell[0],
+		    "expected a column with numbers in columns=, got %s\n"
+		    "columns are counted from the left, empty ones too",
+		    s->item[i].name);
+		return;
+	}
 	FREED char *list = xstrdup("");
 	for (size_t c = 1; c < t->n_col && c <= SHOWN; c++) {
 		FREED char *label = samples_label_of_column(t, c);

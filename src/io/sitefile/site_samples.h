@@ -33,8 +33,7 @@ void samples_clear(struct samples *samples);
 /* Replaces the headings of a table by what the user says of its columns, and
  * drops the others; if only sieves are named, does neither.  Returns the
  * meanings of what is said of the sieves, or 0. */
-uint64_t samples_set_column_headings(
-    const struct samples *columns, struct table *t);
+uint64_t samples_set_column_headings(struct samples *columns, struct table *t);
 
 /* Returns the name of the sample in column c, a cell in a row of headings
  * labelled "Sample" or the like; NULL if there is none. */
@@ -62,8 +61,8 @@ bool samples_is_sheet_named(
  * false if the sample is not named there. */
 bool samples_apply_to_column(struct samples *samples, struct column *c);
 
-/* Reports the first sample named in samples= that was not found.  t: the table
- * whose samples the fault lists. */
+/* Reports the first sample of samples=, or column of columns=, that was not
+ * found.  t: the table whose samples the fault lists. */
 void samples_report_missing(
     const struct samples *samples, const struct table *t);
 
