@@ -389,7 +389,7 @@ write_energy_file(
 	const char *path = args->operand[1];
 	if (!check_energy_file_operand(args, error) ||
 	    energies_last_read(s, error) == NULL ||
-	    !file_check_no_workbook(path, error) ||
+	    !file_check_csv_name(path, error) ||
 	    !files_may_write(s, path, error) ||
 	    !files_confirm_replace(s, path, error) ||
 	    !file_replace_using_writer(

@@ -293,6 +293,20 @@ file_check_no_workbook(const char *path, struct error *error)
 }
 
 bool
+file_check_csv_name(const char *path, struct error *error)
+{
+	static const char *const ENDS[] = {
+	    ".json", ".md", ".html", ".pdf", ".svg", ".png"};
+	const size_t n = ARRAY_LEN(ENDS);
+	if (text_file_ending(path, ENDS, n) < n)
+		return error_set(error, ERROR_USAGE,
+		    "expected a file name that ends in .csv, got %s\n"
+		    "this command writes CSV; results go to > FILE",
+		    path);
+	return file_check_no_workbook(path, error);
+}
+
+bool
 file_replace_using_writer(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error)

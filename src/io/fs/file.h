@@ -54,6 +54,10 @@ bool file_has_sheet_ending(const char *path);
  * spreadsheet programs call text in such a file damaged. */
 bool file_check_no_workbook(const char *path, struct error *error);
 
+/* As file_check_no_workbook, for a command that writes CSV: also with an error
+ * if the name ends like that of another form, such as .json. */
+bool file_check_csv_name(const char *path, struct error *error);
+
 /* Returns false, with the error that writing would give, if path is a folder or
  * not writable.  To be called before a long calibration. */
 bool file_check_writable(const char *path, struct error *error);
