@@ -83,8 +83,10 @@ find_first_condition_word(const struct words *words)
 		     value_is_speed(words->text[1]);
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
 		return speed ? 2 : 1;
+	size_t which; /* of the settings whose value has several words */
 	return takes && words->n > 3 &&
-		       text_is_same_folded(words->text[1], "goal")
+		       text_find_word_in_list(
+			   "goal quantity", words->text[1], &which)
 		   ? 2
 		   : 0;
 }
@@ -195,6 +197,7 @@ conditions_join_words(struct words *words)
 		join_quantities_to_option(words);
 	if (from == 0)
 		return;
-	for (size_t i = from; i < words->n; i++)
+	bool set = (words->command->flags & COMMAND_SETTINGS) != 0;
+	for (size_t i = from; i < words->n && (i == from || !set); i++)
 		join_words_of_condition(words, i);
 }
