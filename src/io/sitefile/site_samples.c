@@ -99,8 +99,7 @@ samples_parse_columns_option(struct samples *s, const char *text,
 	return text == NULL || range->n_sieves > 0 ||
 	       error_set(error, ERROR_USAGE,
 		   "expected a column of sieves in columns, got '%s'\n"
-		   "for instance: columns=\"1=sieve mm, 2=feed, "
-		   "3=product@69\"",
+		   "for instance: columns=\"1=sieve mm, 2=feed, 3=product@69\"",
 		   text);
 }
 
