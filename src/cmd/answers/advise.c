@@ -283,8 +283,7 @@ build_next_sample_answer(
 	if (rotor > 0)
 		answer_add_columns(r, "rpm: rpm");
 	answer_add_columns(r,
-	    "kind, width%s: band after%s, "
-	    "narrower_pct: narrower %%",
+	    "kind, width%s: band after%s, narrower_pct: narrower %%",
 	    quantities_is_size(&w->q)                  ? "_mm"
 	    : strcmp(quantities_unit(&w->q), "%") == 0 ? "_points"
 						       : "",

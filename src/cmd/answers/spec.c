@@ -136,8 +136,7 @@ show_envelope_list(
 	struct answer *r = answer_new("spec");
 	answer_set_title(r, "grading envelopes, for 'spec use'");
 	answer_add_columns(r,
-	    "cut: fraction mm, sieves, from_mm: from mm, to_mm: "
-	    "to mm, name");
+	    "cut: fraction mm, sieves, from_mm: from mm, to_mm: to mm, name");
 	for (size_t i = 0; i < all->n; i++) {
 		const struct spec *spec = all->spec[i];
 		FREED char *cut = envelope_fraction_text(spec);

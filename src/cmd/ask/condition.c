@@ -213,8 +213,8 @@ length_of_passing_word(const char *text, bool *retained)
 	return i < ARRAY_LEN(WORDS) ? strlen(WORDS[i]) : 0;
 }
 
-/* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passing
- * 2 mm = 58 %", and "at most 6 % fines" into "fines < 6 %".  Returns NULL for
+/* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passes 2
+ * mm = 58 %", and "at most 6 % fines" into "fines < 6 %".  Returns NULL for
  * other texts.  The caller frees it. */
 static char *
 rewrite_value_first_condition(const char *text)
@@ -229,24 +229,21 @@ rewrite_value_first_condition(const char *text)
 	}
 	int n = (int)strspn(text, "0123456789.,");
 	const char *of = text + n + strspn(text + n, " %");
-	bool percent = strchr(text, '%') != NULL;
-	bool retained;
+	bool percent = strchr(text, '%') != NULL, retained;
 	size_t word = length_of_passing_word(of, &retained);
 	struct quantity q;
 	struct error none = {0};
-	if (n == 0 || strpbrk(of + word, "<>=") != NULL)
-		return NULL;
-	if (word > 0 && (percent || *of != '<'))
-		return xasprintf("%s %s %c %.*s %%",
-		    retained ? "over" : "passing", of + word, sign, n, text);
-	return percent && quantities_parse_one(of, &PARTITION_IDEAL, &q, &none)
+	bool named = word > 0 ? percent || *of != '<'
+			      : percent && quantities_parse_one(
+					       of, &PARTITION_IDEAL, &q, &none);
+	return n > 0 && named && strpbrk(of + word, "<>=") == NULL
 		   ? xasprintf("%s %c %.*s %%", of, sign, n, text)
 		   : NULL;
 }
 
 /* Turns "<2 mm = 30", as the screen puts it, "under 2 mm < 30" and "2 mm > 30"
- * into a condition of "passing 2 mm".  Returns NULL for other texts.  The
- * caller frees it. */
+ * into a condition of "passing 2 mm".  Returns other texts unchanged, also those
+ * of what is retained.  The caller frees it. */
 static char *
 name_passing_of_size(const char *text)
 {
@@ -255,7 +252,8 @@ name_passing_of_size(const char *text)
 	const char *size = text + word, *unit = size + strspn(size, SIZE);
 	bool named = unit > size && (word > 0 || strncmp(unit, "mm", 2) == 0) &&
 		     strpbrk(unit, "<>=") != NULL;
-	return named && !retained ? xasprintf("passing %s", size) : NULL;
+	return named && !retained ? xasprintf("passing %s", size)
+				  : xstrdup(text);
 }
 
 /* Returns the text with words such as " at least " replaced by a sign.  The
@@ -263,11 +261,9 @@ name_passing_of_size(const char *text)
 static char *
 replace_limit_words_by_sign(const char *text)
 {
-	char *turned = rewrite_value_first_condition(text);
-	if (turned != NULL)
-		return turned;
-	FREED char *with = xstrdup(text);
-	for (size_t i = 0; i < ARRAY_LEN(LIMIT_WORDS); i++) {
+	FREED char *turned = rewrite_value_first_condition(text);
+	FREED char *with = xstrdup(turned != NULL ? turned : text);
+	for (size_t i = 0; i < ARRAY_LEN(LIMIT_WORDS) && turned == NULL; i++) {
 		char *at = strstr(with, LIMIT_WORDS[i].words);
 		if (at == NULL)
 			continue;
@@ -275,8 +271,7 @@ replace_limit_words_by_sign(const char *text)
 		memset(at + 2, ' ', strlen(LIMIT_WORDS[i].words) - 2);
 		break;
 	}
-	turned = name_passing_of_size(with);
-	return turned != NULL ? turned : xstrdup(with);
+	return name_passing_of_size(with);
 }
 
 /* For a text of a quantity, a space and a limit, returns the quantity as typed,

@@ -153,8 +153,7 @@ note_flow_through_each_rotor(
 		if (all > rotor)
 			answer_note(r,
 			    "crusher at %.4g m/s%s: %.1f t/h, of which %.1f "
-			    "t/h "
-			    "through the rotor and %.1f t/h past it (%s)",
+			    "t/h through the rotor and %.1f t/h past it (%s)",
 			    speed, rpm, all, rotor, all - rotor,
 			    !(unit->cascade > 0) ? tr("fitted bypass")
 			    : p->bypass > 0 ? tr("cascade and fitted bypass")
@@ -258,9 +257,8 @@ note_earnings(
 		answer_add_sentence(
 		    r, ANSWER_REMARK, "no price, counted as 0: %s", none);
 	fields_put_values(answer_json_fields(r),
-	    "earnings %g earnings_low %g "
-	    "earnings_high %g",
-	    o->money, range[0], range[1]);
+	    "earnings %g earnings_low %g earnings_high %g", o->money, range[0],
+	    range[1]);
 }
 
 /* The speeds tried, m/s, and what each earns per hour, on average (NAN if the
@@ -481,8 +479,7 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	    p->from_file || back[0] != '\0' ? ", " : "",
 	    p->from_file || back[0] != '\0' ? what : "");
 	fields_put_values(answer_json_fields(r),
-	    "speed %g extrapolated %d feed_tph %g "
-	    "circuit %s",
+	    "speed %g extrapolated %d feed_tph %g circuit %s",
 	    fixed != NULL ? NAN : o->speed, is_any_crusher_extrapolated(p, o),
 	    p->circuit->tph, what);
 	answer_repeat_fields_in_rows(

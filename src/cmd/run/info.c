@@ -231,15 +231,10 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 		return true;
 	usage_print_command_list(
 	    NULL, session_text_width(s), help_output_stream(s));
-	if (s->safe)
-		session_print_note(s,
-		    "man is not available with --safe; these are the "
-		    "commands, and 'help COMMAND' explains one");
-	else
-		session_print_note(s,
-		    "the page %s is shown at the prompt if man(1) is "
-		    "installed; its source is in the folder man",
-		    PAGES[i]);
+	session_print_note(s,
+	    "the page %s is shown at the prompt, without --safe, if man(1) is "
+	    "installed; its source is in the folder man",
+	    PAGES[i]);
 	return true;
 }
 
