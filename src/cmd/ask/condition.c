@@ -242,8 +242,8 @@ rewrite_value_first_condition(const char *text)
 }
 
 /* Turns "<2 mm = 30", as the screen puts it, "under 2 mm < 30" and "2 mm > 30"
- * into a condition of "passing 2 mm".  Returns other texts unchanged, also those
- * of what is retained.  The caller frees it. */
+ * into a condition of "passing 2 mm".  Returns other texts unchanged.  The
+ * caller frees it. */
 static char *
 name_passing_of_size(const char *text)
 {
