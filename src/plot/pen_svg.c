@@ -116,8 +116,7 @@ svg_write_background(const struct svg *svg, double width, double height)
 		    width - 1, height - 1, p->corner, p->colour, p->edge);
 	else
 		fprintf(svg->out,
-		    "<rect width=\"100%%\" height=\"100%%\" "
-		    "fill=\"#%06x\"/>\n",
+		    "<rect width=\"100%%\" height=\"100%%\" fill=\"#%06x\"/>\n",
 		    p->colour);
 }
 

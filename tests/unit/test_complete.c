@@ -184,6 +184,9 @@ operands_follow_the_table(void **state)
 	expect(desk, "assert p50 = 3 ", 15, "within ");
 	expect(desk, "assert p50 = 3 within ", 22, "");
 	expect(desk, "help predi", 5, "predict ");
+	expect(desk, "help predict ", 13, "example ");
+	expect(desk, "help store ex", 11, "example |export ");
+	expect(desk, "help load example ", 18, "");
 	expect(desk, "version ", 8, "");
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -48,7 +49,7 @@ find_asserted_value(const struct session *s, const char *word, double *value)
 {
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++) {
 		const struct asserted *a = &ASSERTED_NAMES[i];
-		if (strcmp(word, a->name) != 0)
+		if (strcasecmp(word, a->name) != 0)
 			continue;
 		*value = session_number_in_last_answer(s, a->from, a->path);
 		return true;
@@ -64,7 +65,7 @@ static bool
 evaluate_assert_operand(const struct session *s, const char *word,
     double *value, struct error *error)
 {
-	if (text_parse_number(word, value))
+	if (text_parse_typed_number(word, value))
 		return true;
 	if (!find_asserted_value(s, word, value))
 		return error_set(error, ERROR_USAGE,
@@ -150,9 +151,12 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 	bool has_within = args->n_operand > 3;
 	if (has_within &&
 	    (args->n_operand != 5 || strcmp(word[3], "within") != 0 ||
-		!text_parse_number(word[4], &within) || within < 0))
+		!text_parse_typed_number(word[4], &within) || within < 0))
 		return error_set(error, ERROR_USAGE,
-		    "assert: expected 'within NUMBER' after the comparison");
+		    "assert: expected 'within NUMBER' after %s, got '%s%s%s'\n"
+		    "for instance: assert %s = %s within 0.05",
+		    word[2], word[3], args->n_operand > 4 ? " " : "",
+		    args->n_operand > 4 ? word[4] : "", word[0], word[2]);
 	if (strcmp(word[1], "is") == 0)
 		return check_file_digest(s, word[0], word[2], error);
 	const char *text = asserted_field_text(s, word[0]);

@@ -278,10 +278,9 @@ note_choice_of_materials(struct answer *r, const struct guess_sources *b)
 	const struct guess_choice *c = &b->choice;
 	if (c->all.n > 0 && !c->helps)
 		answer_add_sentence(r, ANSWER_REMARK,
-		    "rock type and top size carry no information here: by "
-		    "the error below no number of nearest materials does "
-		    "clearly better (the best, %zu: %.1f points) than all "
-		    "(%.1f)",
+		    "rock type and top size carry no information here: by the "
+		    "error below no number of nearest materials does clearly "
+		    "better (the best, %zu: %.1f points) than all (%.1f)",
 		    c->few.nearest, 100 * c->few.median, 100 * c->all.median);
 	else
 		note_picked_materials(r, b);

@@ -166,10 +166,9 @@ const struct command TABLE_ANSWERS[] = {
 	    {FEED(feed), "m/s", 1, SITE_FASTEST, NULL, "",
 		"take the feed sampled at this speed, or the mean"}),
 	.text = "Keeps the product that is predicted now for the site in use "
-		"at a speed, even if the site is calibrated again: "
-		"full-screen mode shows it beside the prediction, and so do "
-		"plot psd and describe psd with beside=pinned. 'pin off' "
-		"unpins it.",
+		"at a speed, even if the site is calibrated again: full-screen "
+		"mode shows it beside the prediction, and so do plot psd and "
+		"describe psd with beside=pinned. 'pin off' unpins it.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npin 69\n"
 		   "describe psd speed=74 beside=pinned",
 	.run = cmd_pin},

@@ -38,9 +38,8 @@ add_half_band_width_rows(struct answer *r, const struct session *s,
 		forecast_set_speed_and_ensemble(of[part], p->speed, part);
 	}
 	answer_add_columns(r,
-	    "sieve_mm: sieve mm, passing_pct: product %%, "
-	    "parameters_pct: model alone, answer_pct: answer, "
-	    "sample_pct: a new sample");
+	    "sieve_mm: sieve mm, passing_pct: product %%, parameters_pct: "
+	    "model alone, answer_pct: answer, sample_pct: a new sample");
 	for (size_t i = 0; i < p->product.n; i++) {
 		answer_add_cells(r, "%g %.1f",
 		    units_m_to_mm(p->product.size[i]),

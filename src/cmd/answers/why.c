@@ -79,8 +79,7 @@ note_what_breaks(const struct explained *a)
 		answer_note(a->answer,
 		    "At %.4g m/s%s an impact has %.0f J/kg, which breaks "
 		    "particles of %.3g mm or more; %.0f %% of the feed is that "
-		    "coarse, "
-		    "and %.0f %% of the feed breaks",
+		    "coarse, and %.0f %% of the feed breaks",
 		    p->speed, a->rpm, p->energy, 1000 * p->break_size,
 		    100 * can, 100 * does);
 }
@@ -516,9 +515,8 @@ note_balance_ignores_correction(struct answer *r, const struct mass_change *b)
 	double sieve = 0, most = largest_change_not_in_model(b, &sieve);
 	bool corrected = b->p[0].low != NULL;
 	answer_add_sentence(r, ANSWER_REMARK,
-	    "On each sieve, in %% of the feed's mass: stay + left = feed, "
-	    "stay + came = product; what breaks and is still in its class "
-	    "stays");
+	    "On each sieve, in %% of the feed's mass: stay + left = feed, stay "
+	    "+ came = product; what breaks and is still in its class stays");
 	if (corrected)
 		answer_add_sentence(r, ANSWER_REMARK,
 		    "The mass balance is that of the model alone, because its "

@@ -197,20 +197,24 @@ static const struct {
     {" more than ", '>'}, {" less than ", '<'}, {" min ", '>'}, {" max ", '<'}};
 
 /* Returns the length of the word before a size for what passes it, as in "under
- * 2 mm", or 0. */
+ * 2 mm", or is retained, as in "over 8 mm"; or 0. */
 static size_t
-length_of_passing_word(const char *text)
+length_of_passing_word(const char *text, bool *retained)
 {
-	static const char *const WORDS[] = {
-	    "passing ", "passes ", "under ", "below ", "finer than ", "<"};
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
-		if (strncasecmp(text, WORDS[i], strlen(WORDS[i])) == 0)
-			return strlen(WORDS[i]);
-	return 0;
+	static const char *const WORDS[] = {"over ", "above ", "coarser than ",
+	    "retained on ", "passing ", "passes ", "under ", "below ",
+	    "finer than ", "<"};
+	enum { RETAINED = 4 };
+	size_t i = 0;
+	while (i < ARRAY_LEN(WORDS) &&
+	       strncasecmp(text, WORDS[i], strlen(WORDS[i])) != 0)
+		i++;
+	*retained = i < RETAINED;
+	return i < ARRAY_LEN(WORDS) ? strlen(WORDS[i]) : 0;
 }
 
-/* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passing
- * 2 mm = 58 %", and "at most 6 % fines" into "fines < 6 %".  Returns NULL for
+/* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passes 2
+ * mm = 58 %", and "at most 6 % fines" into "fines < 6 %".  Returns NULL for
  * other texts.  The caller frees it. */
 static char *
 rewrite_value_first_condition(const char *text)
@@ -225,31 +229,31 @@ rewrite_value_first_condition(const char *text)
 	}
 	int n = (int)strspn(text, "0123456789.,");
 	const char *of = text + n + strspn(text + n, " %");
-	bool percent = strchr(text, '%') != NULL;
-	size_t word = length_of_passing_word(of);
+	bool percent = strchr(text, '%') != NULL, retained;
+	size_t word = length_of_passing_word(of, &retained);
 	struct quantity q;
 	struct error none = {0};
-	if (n == 0 || strpbrk(of + word, "<>=") != NULL)
-		return NULL;
-	if (word > 0 && (percent || *of != '<'))
-		return xasprintf(
-		    "passing %s %c %.*s %%", of + word, sign, n, text);
-	return percent && quantities_parse_one(of, &PARTITION_IDEAL, &q, &none)
+	bool named = word > 0 ? percent || *of != '<'
+			      : percent && quantities_parse_one(
+					       of, &PARTITION_IDEAL, &q, &none);
+	return n > 0 && named && strpbrk(of + word, "<>=") == NULL
 		   ? xasprintf("%s %c %.*s %%", of, sign, n, text)
 		   : NULL;
 }
 
 /* Turns "<2 mm = 30", as the screen puts it, "under 2 mm < 30" and "2 mm > 30"
- * into a condition of "passing 2 mm".  Returns NULL for other texts.  The
+ * into a condition of "passing 2 mm".  Returns other texts unchanged.  The
  * caller frees it. */
 static char *
 name_passing_of_size(const char *text)
 {
-	size_t word = length_of_passing_word(text);
+	bool retained;
+	size_t word = length_of_passing_word(text, &retained);
 	const char *size = text + word, *unit = size + strspn(size, SIZE);
 	bool named = unit > size && (word > 0 || strncmp(unit, "mm", 2) == 0) &&
 		     strpbrk(unit, "<>=") != NULL;
-	return named ? xasprintf("passing %s", size) : NULL;
+	return named && !retained ? xasprintf("passing %s", size)
+				  : xstrdup(text);
 }
 
 /* Returns the text with words such as " at least " replaced by a sign.  The
@@ -257,11 +261,9 @@ name_passing_of_size(const char *text)
 static char *
 replace_limit_words_by_sign(const char *text)
 {
-	char *turned = rewrite_value_first_condition(text);
-	if (turned != NULL)
-		return turned;
-	FREED char *with = xstrdup(text);
-	for (size_t i = 0; i < ARRAY_LEN(LIMIT_WORDS); i++) {
+	FREED char *turned = rewrite_value_first_condition(text);
+	FREED char *with = xstrdup(turned != NULL ? turned : text);
+	for (size_t i = 0; i < ARRAY_LEN(LIMIT_WORDS) && turned == NULL; i++) {
 		char *at = strstr(with, LIMIT_WORDS[i].words);
 		if (at == NULL)
 			continue;
@@ -269,8 +271,7 @@ replace_limit_words_by_sign(const char *text)
 		memset(at + 2, ' ', strlen(LIMIT_WORDS[i].words) - 2);
 		break;
 	}
-	turned = name_passing_of_size(with);
-	return turned != NULL ? turned : xstrdup(with);
+	return name_passing_of_size(with);
 }
 
 /* For a text of a quantity, a space and a limit, returns the quantity as typed,
@@ -329,7 +330,11 @@ parse_condition_with_sign(const char *text, const struct fraction *fraction,
 		return error_expected_condition(text, error);
 	if (text[n] == '\0')
 		return error_missing_limit_sign(text, fraction, error);
-	FREED char *name = xstrndup(text, n);
+	bool retained;
+	size_t word = length_of_passing_word(text, &retained);
+	FREED char *name =
+	    retained ? xasprintf("passing %.*s", (int)(n - word), text + word)
+		     : xstrndup(text, n);
 	bool ok = quantities_parse_one(
 		      name, &fraction->partition, &c->quantity, error) &&
 		  quantities_apply_cut_option(&c->quantity, fraction, error);
@@ -338,10 +343,15 @@ parse_condition_with_sign(const char *text, const struct fraction *fraction,
 	const char *limit = text + n + 1;
 	limit += text[n] != '=' && *limit == '=';
 	c->least = c->most = NAN;
-	if (text[n] == '=')
-		return parse_range_or_number(limit, c, error);
-	return parse_condition_limit(
-	    limit, &c->quantity, text[n] == '<' ? &c->most : &c->least, error);
+	ok = text[n] == '=' ? parse_range_or_number(limit, c, error)
+			    : parse_condition_limit(limit, &c->quantity,
+				  text[n] == '<' ? &c->most : &c->least, error);
+	if (ok && retained) {
+		double least = c->least;
+		c->least = 1 - c->most;
+		c->most = 1 - least;
+	}
+	return ok;
 }
 
 bool

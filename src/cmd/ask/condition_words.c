@@ -43,7 +43,9 @@ is_beginning_of_condition(const char *word)
 	bool most;
 	return quantities_is_beginning_of_text(word) ||
 	       conditions_parse_max_or_min(with, &most) != NULL ||
-	       text_find_word_in_list("at under below finer", word, &which);
+	       text_find_word_in_list(
+		   "at under below finer over above coarser retained", word,
+		   &which);
 }
 
 /* If "and" and a condition follow word i, puts a comma in the place of "and".
@@ -85,8 +87,10 @@ find_first_condition_word(const struct words *words)
 		     value_is_speed(words->text[1]);
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
 		return speed ? 2 : 1;
+	size_t which; /* of the settings whose value has several words */
 	return takes && words->n > 3 &&
-		       text_is_same_folded(words->text[1], "goal")
+		       text_find_word_in_list(
+			   "goal quantity", words->text[1], &which)
 		   ? 2
 		   : 0;
 }
@@ -197,6 +201,7 @@ conditions_join_words(struct words *words)
 		join_quantities_to_option(words);
 	if (from == 0)
 		return;
-	for (size_t i = from; i < words->n; i++)
+	bool set = (words->command->flags & COMMAND_SETTINGS) != 0;
+	for (size_t i = from; i < words->n && (i == from || !set); i++)
 		join_words_of_condition(words, i);
 }

@@ -287,6 +287,24 @@ quantities_check_feed_covers(
 	return true;
 }
 
+/* Refuses "passing 2,4", which may mean 2.4 mm or the two sizes; not "0,5". */
+static bool
+check_comma_has_one_meaning(
+    const char *word, const struct quantity *q, struct error *error)
+{
+	const char *comma = strchr(word, ',');
+	double mm = units_m_to_mm(q->x);
+	if (comma == NULL || q->kind != QUANTITY_PASSING || mm < 1 ||
+	    comma[1] == '0')
+		return true;
+	FREED char *one = xstrdup(word);
+	one[comma - word] = '.';
+	return error_set(error, ERROR_USAGE,
+	    "expected one size, got '%.0f,%s'\nwrite \"%s\" or, for two sizes, "
+	    "\"passing %.0f, passing %s\"",
+	    floor(mm), comma + 1, one, floor(mm), comma + 1);
+}
+
 struct quantity *
 quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
     const struct psd *feed, bool all, size_t *n, struct error *error)
@@ -300,6 +318,7 @@ quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
 		FREED char *word = xstrndup(at, length);
 		struct quantity *q = &list[*n];
 		ok = quantities_parse_one(word, &cut->partition, q, error) &&
+		     check_comma_has_one_meaning(word, q, error) &&
 		     quantities_apply_cut_option(q, cut, error);
 		if (ok &&
 		    quantities_check_feed_covers(q, feed, all ? error : &none))

@@ -122,8 +122,7 @@ screened_note_share(struct answer *r, const struct prediction *p)
 			       "of the opening"),
 		      screen->sharpness, 100 * screen->cut_size)
 	    : screen->cut_size != 1
-		? xasprintf(tr("ideal screens, cut size %g %% of the "
-			       "opening"),
+		? xasprintf(tr("ideal screens, cut size %g %% of the opening"),
 		      100 * screen->cut_size)
 		: xstrdup(tr("ideal screens"));
 	answer_note(r, "%s is %.1f %%%s of the product; %s", words,

@@ -622,9 +622,7 @@ describe_strong_correlations(struct answer *r, const struct chart *c)
 		if (list[0] != '\0')
 			answer_note(r, "%s: %s", s->name, list);
 	}
-	answer_note(r,
-	    "All other pairs of the %zu parameters are "
-	    "below %g",
+	answer_note(r, "All other pairs of the %zu parameters are below %g",
 	    c->x.n, worth_saying);
 }
 

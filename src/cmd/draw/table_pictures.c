@@ -96,10 +96,9 @@ const struct command TABLE_PICTURES[] = {
 	.text =
 	    "Does the same as plot with as=words, for example plot psd "
 	    "as=words: describes what plot would draw, for users of screen "
-	    "readers: the "
-	    "axes, where each curve begins and ends and its P20, P50 and P80, "
-	    "where curves differ most, the break size, and the provenance of "
-	    "the data. The kinds and options are those of plot.",
+	    "readers: the axes, where each curve begins and ends and its P20, "
+	    "P50 and P80, where curves differ most, the break size, and the "
+	    "provenance of the data. The kinds and options are those of plot.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "describe psd speed=74",

@@ -166,9 +166,8 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 	}
 	if (ok && parts.n == 0)
 		ok = error_set_at(error, ERROR_DATA, store[0], 0, 0,
-		    "expected the parts that this store belongs to as "
-		    "well\nwrite them with: calibrate all part=I/N > "
-		    "FILE.json");
+		    "expected the parts that this store belongs to as well\n"
+		    "write them with: calibrate all part=I/N > FILE.json");
 	if (ok && parts_check_and_sort(&parts, error) &&
 	    merge_stores_of_parts(
 		s, &parts, store, n_store, args->replace, error))

@@ -475,11 +475,14 @@ parse_range_of_speeds(const struct command_option *option, char *word,
 	if (!ok)
 		return false;
 	double steps = floor((to - from) / step + 1e-9);
+	if (colon != NULL)
+		*colon = ':';
 	if (steps < 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected a range from low to high, got %g to %g\n"
-		    "write %g..%g",
-		    option->name, from, to, to, from);
+		    "write %g..%g%s",
+		    option->name, from, to, to, from,
+		    colon != NULL ? colon : "");
 	if (steps >= NUMBERS_MOST)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected a range of at most %d steps, got %.0f\n"
@@ -633,6 +636,9 @@ error_unknown_option(const struct command *command, const char *name,
 	}
 	FREED char *usage = command_usage_text(command);
 	error_set_hint(error, "usage: %s", usage);
+	if ((command->flags & COMMAND_FILES) != 0 && strchr(value, '.') != NULL)
+		error_set_hint(error, "for a file of that name write ./%s=%s",
+		    name, value);
 }
 
 /* Returns the index of an option; OPTIONS, with an error, if there is no such
@@ -791,6 +797,16 @@ check_number_of_operands(const struct args *args, struct error *error)
 		return true;
 	if (more != NULL && !check_operand_is_no_option(command, more, error))
 		return false;
+	size_t speed = command->operands.most == 0
+			   ? command_option_index(command, "speed")
+			   : OPTIONS;
+	if (more != NULL && speed < OPTIONS && value_is_speed(more) &&
+	    args->value[speed].given)
+		return error_set(error, ERROR_USAGE,
+		    "expected one speed, got %s and %s\n"
+		    "write a command for each: %s speed=%s; %s speed=%s",
+		    args->value[speed].text, more, command->name,
+		    args->value[speed].text, command->name, more);
 	FREED char *usage = command_usage_text(command);
 	FREED char *file = word_as_typed(more != NULL ? more : "");
 	error_set(error, ERROR_USAGE,
@@ -800,7 +816,7 @@ check_number_of_operands(const struct args *args, struct error *error)
 			      "usage: %s"),
 	    command_shown_name(command),
 	    more != NULL ? more : command->operands.usage, usage);
-	if (more != NULL &&
+	if (more != NULL && (command->flags & COMMAND_FILES) == 0 &&
 	    text_file_ending(more, FILES, ARRAY_LEN(FILES)) < ARRAY_LEN(FILES))
 		error_set_hint(error, "for a file of results write > %s", file);
 	else if (more == NULL && kinds != NULL &&
@@ -831,10 +847,15 @@ hint_option_in_two_words(const struct command *command,
 				words->column[i] == column);
 		const char *of = here ? strchr(value, '=') : NULL;
 		FREED char *quoted = word_as_typed(of != NULL ? of + 1 : value);
-		if ((signs == 1 || ends || here) &&
-		    command_option_index(command, key) < OPTIONS)
-			error_set_hint(
-			    error, "write it as one word: %s=%s", key, quoted);
+		if (!(signs == 1 || ends || here) ||
+		    command_option_index(command, key) == OPTIONS)
+			continue;
+		error_set_hint(
+		    error, "write it as one word: %s=%s", key, quoted);
+		if (here && strcmp(key, "at") == 0)
+			error_set_hint(error,
+			    "write speed=%s for a speed, at=%s for a size",
+			    quoted, quoted);
 	}
 }
 

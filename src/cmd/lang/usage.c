@@ -259,12 +259,11 @@ usage_print_trust_lights(int width, FILE *out)
 	print_words_with_meanings(N_("trust"), USAGE_TRUST, width, out);
 	fputs("\n", out);
 	text_print_wrapped(
-	    tr("Between three or more measured speeds the measurements "
-	       "correct the model, and the light is green unless they "
-	       "contradict each other or are too few. Beyond them it is "
-	       "amber, and far beyond red: no measurement shows what the "
-	       "machine does there. 'man model' has the rules, and how "
-	       "often each light was right."),
+	    tr("Between three or more measured speeds the measurements correct "
+	       "the model, and the light is green unless they contradict each "
+	       "other or are too few. Beyond them it is amber, and far beyond "
+	       "red: no measurement shows what the machine does there. 'man "
+	       "model' has the rules, and how often each light was right."),
 	    0, width, out);
 }
 

@@ -12,7 +12,6 @@
 #include "core/model/breakage.h"
 #include "core/psd/rotor_speed.h"
 #include "io/fs/file.h"
-#include "io/fs/shipped.h"
 #include "io/sitefile/units.h"
 
 /* A question about collision energies.  cut: J/kg, at the simulated speed;
@@ -349,12 +348,7 @@ load_energy_file(
 		way.speed = args->speed;
 	double cut = args_is_given(args, &args->energy_cut) ? args->energy_cut
 							    : ENERGIES_CUT;
-	/* A file at that path comes before a shipped one of that name. */
-	const char *asked = args->operand[1];
-	FREED char *shipped =
-	    !file_exists(asked) ? shipped_energies_path(asked) : NULL;
-	const char *path = shipped != NULL ? shipped : asked;
-	if (energies_load_file(s, path, &way, cut, error) == NULL)
+	if (energies_load_file(s, args->operand[1], &way, cut, error) == NULL)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
 	if (args->note != NULL) {
@@ -390,7 +384,7 @@ write_energy_file(
 	const char *path = args->operand[1];
 	if (!check_energy_file_operand(args, error) ||
 	    energies_last_read(s, error) == NULL ||
-	    !file_check_no_workbook(path, error) ||
+	    !file_check_csv_name(path, error) ||
 	    !files_may_write(s, path, error) ||
 	    !files_confirm_replace(s, path, error) ||
 	    !file_replace_using_writer(

@@ -401,8 +401,9 @@ complete_after_given_words(struct work *w, const struct words *words,
 {
 	struct args used;
 	struct error none = {0};
-	if (words->n == 1)
-		complete_with_second_words(w, words->text[0]);
+	size_t n = words->n; /* a command is named after help, too */
+	if (n == 1 || (n == 2 && strcmp(words->text[0], "help") == 0))
+		complete_with_second_words(w, words->text[n - 1]);
 	parse_command_words(words, place, &used, &none);
 	if (used.command != NULL)
 		complete_with_options_or_values(

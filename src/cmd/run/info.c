@@ -145,20 +145,20 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 {
 	const int width = session_text_width(s);
 	FILE *out = help_output_stream(s);
-	const char *name = args->n_operand > 0 ? args->operand[0] : NULL;
-	bool example = args->n_operand == 2;
+	size_t n = args->n_operand;
+	bool example = n > 1 && strcmp(args->operand[n - 1], "example") == 0;
+	n -= example;
+	const char *name = n > 0 ? args->operand[0] : NULL;
 	FREED char *both =
-	    example ? xasprintf("%s %s", name, args->operand[1]) : NULL;
-	const struct command *command =
-	    both != NULL ? find_two_word_command(both) : NULL;
-	if (command != NULL)
-		example = false;
-	else if (name != NULL)
-		command = command_find(name);
-	if (example && strcmp(args->operand[1], "example") != 0)
+	    n > 1 ? xasprintf("%s %s", name, args->operand[1]) : NULL;
+	const struct command *command = both != NULL
+					    ? find_two_word_command(both)
+					: name != NULL ? command_find(name)
+						       : NULL;
+	if (n > 2 || (n == 2 && command == NULL))
 		return error_set(error, ERROR_USAGE,
 		    "help: expected 'example' after the command, got '%s'",
-		    args->operand[1]);
+		    args->operand[n - 1]);
 	if (command != NULL && example)
 		usage_print_example(command, "", out);
 	else if (command != NULL)
@@ -231,15 +231,10 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 		return true;
 	usage_print_command_list(
 	    NULL, session_text_width(s), help_output_stream(s));
-	if (s->safe)
-		session_print_note(s,
-		    "man is not available with --safe; these are the "
-		    "commands, and 'help COMMAND' explains one");
-	else
-		session_print_note(s,
-		    "the page %s is shown at the prompt if man(1) is "
-		    "installed; its source is in the folder man",
-		    PAGES[i]);
+	session_print_note(s,
+	    "the page %s is shown at the prompt, without --safe, if man(1) is "
+	    "installed; its source is in the folder man",
+	    PAGES[i]);
 	return true;
 }
 

@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
 #include "io/fs/file.h"
+#include "io/fs/shipped.h"
 
 const struct energies *
 energies_last_read(const struct session *s, struct error *error)
@@ -56,9 +57,13 @@ file_name_without_extension(const char *path)
 }
 
 const struct energies *
-energies_load_file(struct session *s, const char *path,
+energies_load_file(struct session *s, const char *asked,
     const struct collisions_way *way, double cut, struct error *error)
 {
+	/* A file at that path comes before a shipped one of that name. */
+	FREED char *shipped =
+	    !file_exists(asked) ? shipped_energies_path(asked) : NULL;
+	const char *path = shipped != NULL ? shipped : asked;
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct collisions_way told = *way;
 	struct collisions c;

@@ -19,10 +19,10 @@ struct energies {
 	struct collisions c;
 };
 
-/* Reads a file, even if it was read before, because it may have changed.  The
- * session keeps the result until it ends.  Returns NULL with an error on
- * failure. */
-const struct energies *energies_load_file(struct session *s, const char *path,
+/* Reads a file, or a shipped one of that name, even if it was read before,
+ * because it may have changed.  The session keeps the result until it ends.
+ * Returns NULL with an error on failure. */
+const struct energies *energies_load_file(struct session *s, const char *asked,
     const struct collisions_way *way, double cut, struct error *error);
 
 void energies_free(struct energies *e);

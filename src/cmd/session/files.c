@@ -218,7 +218,7 @@ bool
 files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error)
 {
-	return file_check_no_workbook(path, error) &&
+	return file_check_csv_name(path, error) &&
 	       files_may_write(s, path, error) &&
 	       files_check_replace(args, path, error);
 }

@@ -38,7 +38,7 @@ bool files_may_write(
 bool files_check_replace(
     const struct args *args, const char *path, struct error *error);
 
-/* file_check_no_workbook, files_may_write and files_check_replace. */
+/* file_check_csv_name, files_may_write and files_check_replace. */
 bool files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error);
 

@@ -322,8 +322,7 @@ origin_params_source_sentence(const struct entry *entry)
 	    : origin_is_from_store(o)
 		? tr("parameters from the store: %s (%s), not "
 		     "calibrated on this site")
-		: tr("parameters from %s (%s), not calibrated on this "
-		     "site"),
+		: tr("parameters from %s (%s), not calibrated on this site"),
 	    o->from, details);
 }
 

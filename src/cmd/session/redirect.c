@@ -118,13 +118,15 @@ bool
 redirect_is_allowed(const struct command *command, const struct words *words,
     struct error *error)
 {
+	static const char *const BOOKS[] = {".ods", ".xls", ".xlsb", ".xlsm"};
 	enum picture_form form;
 	const char *target = words->target;
 	if (words->to == TO_PIPE)
 		return true;
 	bool image = picture_format_of_file_name(target, &form);
 	enum output_kind kind = find_output_format(command, words)->kind;
-	if (kind != OUTPUT_BOOK && !file_check_no_workbook(target, error))
+	if (text_file_ending(target, BOOKS, ARRAY_LEN(BOOKS)) <
+	    ARRAY_LEN(BOOKS))
 		return set_error_only_xlsx(command, words, error);
 	if (image && !picture_can_draw_format(form))
 		return error_set(error, ERROR_USAGE,

@@ -117,14 +117,13 @@ const struct command TABLE_SESSION[] = {
     {.name = "help",
 	.brief = "list the commands or explain one",
 	.operands = {"[COMMAND|GROUP|all|options|trust] [example]",
-	    {"COMMAND GROUP all options trust", "example"}, 0, 2},
+	    {"COMMAND GROUP all options trust", "example", ""}, 0, 3},
 	.flags = COMMAND_UNSAVED | COMMAND_DURING_SEARCH,
 	.text = "Alone, shows the commands of a day's work; with the name of a "
 		"command, explains it; with the name of a group, or all, lists "
-		"its commands; with options, explains those that many "
-		"commands take; with trust, the light of answers. 'help "
-		"COMMAND example' prints an example that "
-		"can be run as printed.",
+		"its commands; with options, explains those that many commands "
+		"take; with trust, the light of answers. 'help COMMAND "
+		"example' prints an example that can be run as printed.",
 	.example = "help predict",
 	.run = cmd_help},
     {.name = "apropos",

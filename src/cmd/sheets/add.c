@@ -95,6 +95,16 @@ date_order_without_future(const struct site *cuts)
 	return after[0] ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
 }
 
+/* Returns the order of day and month that dates= states, or else that of the
+ * dates of a site. */
+static enum datetime_order
+day_month_order_given(const struct args *args, const struct site *site)
+{
+	if (!args_is_given(args, &args->dates))
+		return cut_day_month_order(site);
+	return args->dates == 0 ? DATETIME_DAY_FIRST : DATETIME_MONTH_FIRST;
+}
+
 /* Finds the order of day and month in the dates of cuts: from dates=, else from
  * their other dates, else from the dates of the site to which they are added,
  * else from today's date, after which no cut was taken. */
@@ -103,9 +113,7 @@ find_day_month_order_of_cuts(
     const struct args *args, const struct site *cuts, const struct site *site)
 {
 	if (args_is_given(args, &args->dates))
-		return (struct date_reading){args->dates == 0
-						 ? DATETIME_DAY_FIRST
-						 : DATETIME_MONTH_FIRST,
+		return (struct date_reading){day_month_order_given(args, site),
 		    tr("as dates= says"), false};
 	enum datetime_order order = cut_day_month_order(cuts);
 	if (order != DATETIME_OPEN)
@@ -174,6 +182,12 @@ parse_cut_time(const char *text, enum datetime_order order, double day,
     double *time, struct error *error)
 {
 	struct datetime m;
+	if (text_ends_with(text, "rpm"))
+		return error_set(error, ERROR_USAGE,
+		    "expected the rotor's diameter with %s, got none\n"
+		    "write: rotor_mm=DIAMETER, or a line rotor_mm in the site "
+		    "file",
+		    text);
 	if (!datetime_parse(text, &m) || !m.has_time)
 		return error_set(error, ERROR_USAGE,
 		    "expected a tip speed or a time after @, got '%s'\n"
@@ -229,8 +243,9 @@ look_up_cut_speed_in_log(struct session *s, const struct args *args,
 		return true;
 	double window = 60 * args->window;
 	if (!parse_cut_time(at + 1,
-		cut_day_month_order(session_current_site_entry(s)->site), day,
-		&time, error) ||
+		day_month_order_given(
+		    args, session_current_site_entry(s)->site),
+		day, &time, error) ||
 	    !log_find_speed_at_time(
 		s, time, window / 2, rotor, &o->logged, error))
 		return false;
@@ -758,13 +773,13 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 bool
 cmd_add(struct session *s, const struct args *args, struct error *error)
 {
-	double day, rotor = session_current_site_entry(s)->site->rotor;
+	const struct site *site = session_current_site_entry(s)->site;
+	double day, rotor = site->rotor;
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
 	FREED const char **word = xcalloc(args->n_operand, sizeof(*word));
-	bool good = parse_cut_date(args->date,
-	    cut_day_month_order(session_current_site_entry(s)->site), &day,
-	    error);
+	bool good = parse_cut_date(
+	    args->date, day_month_order_given(args, site), &day, error);
 	if (args->rotor_mm > 0)
 		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {

@@ -66,8 +66,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	answer_note(r, s->n_entry > 0
 			   ? N_("* is the site in use")
 			   : N_("no site is loaded: run 'load FILE', or "
-				"'template > my.csv' for an empty "
-				"sheet"));
+				"'template > my.csv' for an empty sheet"));
 	if (s->log != NULL)
 		answer_note(r, "log: %s ('show log')", s->log->path);
 	return session_show_answer(s, r);
@@ -181,7 +180,7 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 	struct stat info;
 	if (stat(path, &info) != 0 || !S_ISDIR(info.st_mode)) {
 		const struct site *site = session_current_site_entry(s)->site;
-		bool name = file_check_no_workbook(path, error),
+		bool name = file_check_csv_name(path, error),
 		     kept = name && file_exists(path) && !args->replace,
 		     ok = name && files_write_site(s, args, site, path, error);
 		return ok || (kept && error->kind == ERROR_USAGE &&

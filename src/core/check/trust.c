@@ -449,9 +449,8 @@ add_contradiction_trust_reasons(
 		    xasprintf(
 			tr("the fit has no break size: in it particles of "
 			   "every size break at %g m/s%s, so it cannot tell "
-			   "what "
-			   "a slower rotor leaves whole; add a run at a lower "
-			   "speed"),
+			   "what a slower rotor leaves whole; add a run at a "
+			   "lower speed"),
 			e->slowest, slowest));
 }
 

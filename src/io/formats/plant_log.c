@@ -34,10 +34,9 @@ static const char
 	     "kapasiteetti kapasitet",
     /* Words for other machines, and for quantities that are not wanted. */
     OTHER[] =
-	"feeder matare syotin alimentador alimentateur aufgeber belt "
-	"band conveyor transportor forderband fan flakt screen sikt pump "
-	"kwh % hz percent setpoint sp borvarde sollwert limit alarm a amp "
-	"stph",
+	"feeder matare syotin alimentador alimentateur aufgeber belt band "
+	"conveyor transportor forderband fan flakt screen sikt pump kwh % hz "
+	"percent setpoint sp borvarde sollwert limit alarm a amp stph",
     TIMES[] = "time tid zeit datum date timestamp datetime zeitstempel "
 	      "tidpunkt uhrzeit fecha hora heure data aika pvm klockan";
 

@@ -80,8 +80,7 @@ read_part_from_json(struct part_file *part, struct parts *parts)
 	json_t *index, *rows;
 	const struct kind *kind = KINDS;
 	if (json_unpack(part->json,
-		"{s:s, s:{s:s, s:s, s:s, s:I, s:I, s:I, s:o}, s:o,"
-		"s?I, s?I}",
+		"{s:s, s:{s:s, s:s, s:s, s:I, s:I, s:I, s:o}, s:o,s?I, s?I}",
 		"command", &part->command, "part", "sites", &part->sites,
 		"version", &part->version, "options", &part->options, "number",
 		&number, "of", &of, "loaded", &loaded, "index", &index, "rows",

@@ -280,15 +280,16 @@ file_replace_contents(const char *path, enum file_rights rights,
 }
 
 bool
-file_check_no_workbook(const char *path, struct error *error)
+file_check_csv_name(const char *path, struct error *error)
 {
-	static const char *const ENDS[] = {
-	    ".ods", ".xls", ".xlsb", ".xlsm", ".xlsx"};
+	static const char *const ENDS[] = {".ods", ".xls", ".xlsb", ".xlsm",
+	    ".xlsx", ".json", ".md", ".html", ".pdf", ".svg", ".png"};
 	const size_t n = ARRAY_LEN(ENDS);
 	return text_file_ending(path, ENDS, n) == n ||
 	       error_set(error, ERROR_USAGE,
-		   "cannot write a workbook (%s)\n"
-		   "use a name that ends in .csv: spreadsheet programs open it",
+		   "expected a file name that ends in .csv, got %s\n"
+		   "this command writes CSV, which spreadsheet programs open; "
+		   "results go to > FILE",
 		   path);
 }
 

@@ -50,9 +50,9 @@ char *file_real_folder(const char *path);
 extern const char FILE_SHEET_ENDINGS[];
 bool file_has_sheet_ending(const char *path);
 
-/* Returns false with an error if a file's name ends like that of a workbook:
- * spreadsheet programs call text in such a file damaged. */
-bool file_check_no_workbook(const char *path, struct error *error);
+/* Returns false with an error if a file's name ends like that of another form
+ * than CSV: spreadsheet programs call text in a workbook damaged. */
+bool file_check_csv_name(const char *path, struct error *error);
 
 /* Returns false, with the error that writing would give, if path is a folder or
  * not writable.  To be called before a long calibration. */

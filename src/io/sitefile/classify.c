@@ -747,9 +747,8 @@ leave_out_non_sample_column(const struct column *c, struct site *site)
 	/* An empty column sd@70 says that a repeat has no deviations. */
 	bool deviation = (means & WORD_SD) != 0 && heading_has_speed(&c->said);
 	if (is_counting_or_constant_column(c, &s)) {
-		leave_out(site, c,
-		    "row numbers, or the same "
-		    "number in each row");
+		leave_out(
+		    site, c, "row numbers, or the same number in each row");
 	} else if (s.filled == 0 && !deviation) {
 		leave_out(site, c, "it is empty");
 	} else if ((means & WORD_LIMIT) != 0 ||

@@ -24,101 +24,87 @@ static const struct {
 	"feed infeed headfeed inlet input before ingaende inmatning inmatat "
 	"pamatning padrag matning fore ragods ramaterial ravara ingods "
 	"okrossat utgangsmaterial ursprungsmaterial originalprov aufgabe "
-	"aufgabegut "
-	"aufgabematerial zulauf beschickung vorher alimentation entree avant "
-	"alimentacion entrada antes alimentacao syote syotto ennen pagang "
-	"nadawa nadawy "
-	"tilgang "
-	"alimentazione ingang voeding питание исходное исходный 给料 进料"},
+	"aufgabegut aufgabematerial zulauf beschickung vorher alimentation "
+	"entree avant alimentacion entrada antes alimentacao syote syotto "
+	"ennen pagang nadawa nadawy tilgang alimentazione ingang voeding "
+	"питание исходное исходный 给料 进料"},
     {WORD_PRODUCT,
 	"product products prod produkt produkte produkter krossprodukt "
 	"utgaende utgods utmatning utmatat krossgods fardig fardigvara "
 	"slutprodukt ut out output outlet discharge after crushed krossat "
-	"krossad "
-	"efter "
-	"austrag brechgut endprodukt nachher produit produits sortie apres "
-	"concasse broye producto productos salida triturado despues produto "
-	"produtos produktu saida britado depois tuote tuotteen murske jalkeen "
-	"prodotto prodotti продукт 产品 出料"},
-    {WORD_SD, "sd stdev stddev std standardavvikelse standardabweichung "
-	      "keskihajonta desviacion desvio"},
+	"krossad efter austrag brechgut endprodukt nachher produit produits "
+	"sortie apres concasse broye producto productos salida triturado "
+	"despues produto produtos produktu saida britado depois tuote tuotteen "
+	"murske jalkeen prodotto prodotti продукт 产品 出料"},
+    {WORD_SD,
+	"sd stdev stddev std standardavvikelse standardabweichung keskihajonta "
+	"desviacion desvio"},
     {WORD_PASSES,
 	"passing passings pass passed passes finer undersize through "
 	"passerande passerar passerad genomgang genomfall durchgang "
 	"siebdurchgang durchgange siebdurchgange tamisat tamisats passant "
 	"passants pasa pasan pasante pasantes passante passantes passa "
 	"przechodzi przechodzace przesiew lapaisy lapaisee lapaiseva lapaissyt "
-	"gjennomgang gennemfald "
-	"passanti doorval zeefdoorval проход прошло 通过 通过率"},
+	"gjennomgang gennemfald passanti doorval zeefdoorval проход прошло "
+	"通过 通过率"},
     {WORD_STAYS,
 	"retained retaining ret oversize siktrest kvar stannat stannar "
 	"ruckstand siebruckstand ruckstande siebruckstande refus retenu "
 	"retenido retenidos retenida retido retida retidos jaanyt jaannos "
 	"pozostalosc pozostaje odsiew seulajaannos seulalle rest coarser "
-	"trattenuto trattenuti zeefrest остаток остатки 筛余 筛余量 "
-	"分计筛余"},
+	"trattenuto trattenuti zeefrest остаток остатки 筛余 筛余量 分计筛余"},
     {WORD_SUMS,
 	"cum cumul cumulative cumulated accumulated ack ackumulerad "
 	"ackumulerat kum kumulativ kumuliert kumulierte kumulierter cumule "
 	"cumules cumulee cumulees acum acumulado acumulada acumulados "
 	"acumuladas skumulowana skumulowany skumulowane kumulatiivinen "
-	"kumulatiivisesti summen kertyma "
-	"cumulato cumulata cumulativo cumulativa progressivo cumulatief полный "
-	"суммарный"},
+	"kumulatiivisesti summen kertyma cumulato cumulata cumulativo "
+	"cumulativa progressivo cumulatief полный суммарный"},
     {WORD_SHARE,
 	"fraction fractions udzial andel anteil anteile fraccion fracao osuus "
 	"frazione"},
     {WORD_PERCENT,
 	"% pct percent percents percentage perc procent procentuell prozent "
 	"procenty pourcent pourcentage porcentaje porciento ciento porcentagem "
-	"prosentti prosenttia prosent "
-	"percento percentuale"},
-    {WORD_GRAMS, "g gr grm gms gram grams gramme grammes gramm gramos gramas "
-		 "grammaa kg kilo kilogram kilograms "
-		 "г"},
+	"prosentti prosenttia prosent percento percentuale"},
+    {WORD_GRAMS,
+	"g gr grm gms gram grams gramme grammes gramm gramos gramas grammaa kg "
+	"kilo kilogram kilograms г"},
     {WORD_MASS,
 	"mass masses weight weights vikt massa masse massen poids peso pesos "
-	"paino gewicht masa masy waga "
-	"масса 质量"},
+	"paino gewicht masa masy waga масса 质量"},
     {WORD_SIZE,
-	"size sizes sieve sieves sievesize aperture apertures opening "
-	"openings screen screens particle grain diameter sikt siktar "
-	"siktstorlek siktvidd maskvidd maskstorlek storlek kornstorlek sieb "
-	"siebe siebweite "
-	"sieboffnung siebgrosse siebgro\xC3\x9F"
-	"e maschenweite korngrosse "
-	"korngro\xC3\x9F"
-	"e lochweite nennweite tamis maille mailles ouverture "
-	"diametre diametro tamiz tamices malla mallas abertura apertura criba "
-	"tamano "
-	"tamanho "
-	"peneira peneiras malha malhas seula seulan seulat seulakoko raekoko "
-	"sito sita sit oczko oczka otwor silmakoko aukko aukkokoko dimension "
-	"maskevidde kornstorrelse sikte d "
-	"luz "
-	"setaccio setacci vaglio vagli maglia maglie luce zeef zeven zeefmaat "
-	"apning сито сита 筛孔 筛孔尺寸 孔径 粒径 筛"},
+	"size sizes sieve sieves sievesize aperture apertures opening openings "
+	"screen screens particle grain diameter sikt siktar siktstorlek "
+	"siktvidd maskvidd maskstorlek storlek kornstorlek sieb siebe "
+	"siebweite sieboffnung siebgrosse siebgroße maschenweite korngrosse "
+	"korngroße lochweite nennweite tamis maille mailles ouverture diametre "
+	"diametro tamiz tamices malla mallas abertura apertura criba tamano "
+	"tamanho peneira peneiras malha malhas seula seulan seulat seulakoko "
+	"raekoko sito sita sit oczko oczka otwor silmakoko aukko aukkokoko "
+	"dimension maskevidde kornstorrelse sikte d luz setaccio setacci "
+	"vaglio vagli maglia maglie luce zeef zeven zeefmaat apning srednica "
+	"диаметр сито сита 筛孔 筛孔尺寸 孔径 粒径 筛"},
     {WORD_SIZE | WORD_MESH, "mesh meshes"},
     {WORD_TYLER, "tyler"},
     {WORD_BS, "bs bss"},
     {WORD_ASTM, "astm us ussieve"},
-    {WORD_PHI, "phi \xCF\x86 \xCE\xA6 \xCF\x95"},
-    {WORD_MM, "mm millimeter millimetre millimetres millimetro milimetro "
-	      "мм"},
+    {WORD_PHI, "phi φ Φ ϕ"},
+    {WORD_MM, "mm millimeter millimetre millimetres millimetro milimetro мм"},
     {WORD_UM, "um micron microns mikron micrometer micrometers micrometre "
 	      "micrometres mikrometer mikrometri micro micra micras my"},
     {WORD_M, "m meter metre"},
-    {WORD_INCH, "in inch inches tum zoll pouce pouces pulgada pulgadas pulg "
-		"polegada polegadas tuuma tuumaa"},
+    {WORD_INCH,
+	"in inch inches tum zoll pouce pouces pulgada pulgadas pulg polegada "
+	"polegadas tuuma tuumaa"},
     {WORD_SPEED,
 	"speed velocity tip tipspeed hastighet periferihastighet "
 	"rotorhastighet geschwindigkeit umfangsgeschwindigkeit vitesse "
-	"predkosc velocidad velocidade nopeus kehanopeus "
-	"velocita snelheid скорость 速度 线速度"},
-    {WORD_SPEED | WORD_RPM, "rpm varvtal drehzahl upm umin pyorimisnopeus "
-			    "obroty obrotow kierrosluku omdrejningstal"
-			    " turtall "
-			    "giri toerental 转速"},
+	"predkosc velocidad velocidade nopeus kehanopeus velocita snelheid "
+	"скорость 速度 线速度"},
+    {WORD_SPEED | WORD_RPM,
+	"rpm varvtal drehzahl upm umin pyorimisnopeus obroty obrotow "
+	"kierrosluku omdrejningstal turtall giri toerental 转速"},
     {WORD_ROTOR,
 	"rotor rotorn rotorns rotors wirnik wirnika rotora roottori roottorin "
 	"rotore ротор ротора 转子"},
@@ -128,70 +114,58 @@ static const struct {
 	"min max minimum maximum spec specs specification limit limits lower "
 	"upper envelope krav grans undre ovre grenzwert grenze soll sollwert "
 	"target granskurva gransvarde limite limites minimo maximo raja "
-	"alaraja ylaraja vaatimus "
-	"norm norma norme unter ober"},
+	"alaraja ylaraja vaatimus norm norma norme unter ober"},
     {WORD_OTHER,
 	"remark remarks note notes comment comments anm anmarkning "
 	"anmarkningar bemerkung bemerkungen remarque remarques observaciones "
 	"uwaga uwagi wykonal operator observacion observacoes observacao obs "
-	"huom huomautus lab labor labno "
-	"labnr laboratory id time "
-	"tid operator klockan "
+	"huom huomautus lab labor labno labnr laboratory id time tid klockan "
 	"moisture fukt fukthalt feuchte humidite humedad umidade kosteus "
-	"temperature temperatur operateur bediener uhrzeit heure hora "
-	"initials sampler sampled signature"},
+	"temperature temperatur operateur bediener uhrzeit heure hora initials "
+	"sampler sampled signature"},
     {WORD_OTHER, "date datum dato fecha data dnia pvm paivamaara"},
     {WORD_MEAN,
-	"mean average avg mw moy ka median gj medel medelvarde snitt "
-	"mittel mittelwert moyenne "
-	"srednia media medio promedio keskiarvo gjennomsnitt gemiddelde"},
+	"mean average avg mw moy ka median gj medel medelvarde snitt mittel "
+	"mittelwert moyenne srednia media medio promedio keskiarvo "
+	"gjennomsnitt gemiddelde"},
     {WORD_SAMPLE,
-	"sample samples prov provet provnr probe proben cut belt beltcut "
-	"run "
+	"sample samples prov provet provnr probe proben cut belt beltcut run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
 	"probka proba amostra ensaio nayte koe bandprov band repeat rep "
 	"campione prova monster проба 样品 试样"},
-    {WORD_SAMPLE | WORD_NUMBER,
-	"no nr n num nummer number numero # n\xC2\xB0 n\xC2\xBA"},
+    {WORD_SAMPLE | WORD_NUMBER, "no nr n num nummer number numero # n° nº"},
     {WORD_PAN,
 	"pan bottom receiver rest botten panna bottenpanna trag bunn boden "
-	"siebboden schale "
-	"denko auffangschale pfanne fond fondo fundo charola bandeja cazuela "
-	"pohja "
-	"bund "
-	"receptor receptaculo recipiente panela "
+	"siebboden schale denko auffangschale pfanne fond fondo fundo charola "
+	"bandeja cazuela pohja bund receptor receptaculo recipiente panela "
 	"bodem поддон дно 筛底 底盘"},
     {WORD_TOTAL,
-	"sum total totals totalt summa summe gesamt insgesamt somme suma "
-	"razem soma totale yhteensa "
-	"totali totaal итого сумма 合计 总计"},
+	"sum total totals totalt summa summe gesamt insgesamt somme suma razem "
+	"soma totale yhteensa totali totaal итого сумма 合计 总计"},
     {WORD_TOTAL | WORD_WEIGHED, "einwaage invagt m1"},
-
     {WORD_LOSS,
 	"loss losses forlust siktforlust verlust siebverlust perte pertes "
 	"strata straty perdida perdidas perda perdas havio havikki difference "
 	"perdita perdite verlies потери 损失"},
-    {WORD_WASHED, "washed washing wash tvatt tvattforlust tvattat abschlammbar "
-		  "abschlammbare abgeschlammt lavage lave lavado lavagem pesu "
-		  "pesty pesun waschen "
-		  "gewaschen tvattning tvattad m2"},
+    {WORD_WASHED,
+	"washed washing wash tvatt tvattforlust tvattat abschlammbar "
+	"abschlammbare abgeschlammt lavage lave lavado lavagem pesu pesty "
+	"pesun waschen gewaschen tvattning tvattad m2"},
     {WORD_LIMIT,
 	"calculated calc berechnet beraknad beraknat beregnet calcule "
-	"calculado "
-	"laskettu predicted expected simulated simulerad model modell fit "
-	"fitted smoothed interpolated rejected outlier discarded kasserad "
-	"ungultig previous fuller theoretical teoretisk"},
-    {WORD_MACHINE, "vsi crusher kross brecher concasseur trituradora britador "
-		   "murskain line machine maskin"},
+	"calculado laskettu predicted expected simulated simulerad model "
+	"modell fit fitted smoothed interpolated rejected outlier discarded "
+	"kasserad ungultig previous fuller theoretical teoretisk"},
+    {WORD_MACHINE,
+	"vsi crusher kross brecher concasseur trituradora britador murskain "
+	"line machine maskin"},
     {WORD_FILLER,
-	"at vid material mangd on of the and by to for with a i pa av mit "
-	"bei der die das des du de la le en sur par del el por em o "
-	"wt gew vol masse-% m m-% the med och und et y e astia "
-	"kohti p v ms s mps peripheral periferi peripherique periferica "
-	"periferico "
-	"analysis siktning each per je single individual einzeln parcial "
-	"partiel simple enskild nominal "
-	"mtrl periferica на di in частный"},
+	"at vid material mangd on of the and by to for with a i pa av mit bei "
+	"der die das des du de la le en sur par del el por em o wt gew vol "
+	"masse-% m m-% med och und et y e astia kohti p v ms s mps peripheral "
+	"periferi peripherique periferica periferico analysis siktning each "
+	"per je single individual einzeln parcial partiel simple enskild "
+	"nominal mtrl на di in частный"},
 };
 
 /* Parts of compound words that are enough to tell their meaning:

@@ -8,7 +8,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/cells/sheet.h"
 #include "io/cells/source.h"
@@ -45,34 +44,28 @@ command_on_about_sheet(const struct sheet *sheet)
 		   : NULL;
 }
 
-/* True for "trust: green" or "warning: trust at 70 m/s: red", in English or in
- * the language in use. */
-static bool
-is_sentence_on_trust(const char *text)
+/* Returns the command of an answer as text or Markdown, which does not name it,
+ * but says how far to trust what it predicts, or has the headings of a plot's
+ * numbers; or that of stored materials.  The results may be in another language
+ * than the one in use. */
+static const char *
+command_by_line_of_answer(const struct row *row)
 {
-	static const char *const SAYS[] = {
-	    N_("trust: %s%s"), N_("trust at %g m/s%s: %s%s")};
-	const char *const warning[] = {"warning: ", tr("warning: ")};
-	for (size_t i = 0; i < ARRAY_LEN(warning); i++)
-		if (strncmp(text, warning[i], strlen(warning[i])) == 0)
-			text += strlen(warning[i]);
-	for (size_t i = 0; i < ARRAY_LEN(SAYS); i++)
-		if (strncmp(text, SAYS[i], strcspn(SAYS[i], "%")) == 0 ||
-		    strncmp(text, tr(SAYS[i]), strcspn(tr(SAYS[i]), "%")) == 0)
-			return true;
-	return false;
-}
-
-/* Answers as text or Markdown do not name their command, but say how far to
- * trust what they predict. */
-static char *
-command_of_answer_with_trust(const struct sheet *sheet)
-{
-	bool text = sheet->name[0] == '\0';
-	for (size_t i = 0; i < sheet->n_row && text; i++)
-		if (is_sentence_on_trust(sheet->row[i].cell[0].text))
-			return xstrdup("predict");
-	return NULL;
+	static const char *const TRUST[] = {"trust: ", "trust at ",
+	    "warning: trust", "omdöme: ", "omdöme vid ", "varning: omdöme"};
+	const char *first = row->cell[0].text,
+		   *last = row->cell[row->n - 1].text;
+	for (size_t i = 0; i < ARRAY_LEN(TRUST); i++)
+		if (strncmp(first, TRUST[i], strlen(TRUST[i])) == 0)
+			return "predict";
+	if (row->n > 3 && strcmp(first, "name") == 0 &&
+	    strcmp(row->cell[1].text, "site") == 0 &&
+	    strcmp(row->cell[2].text, "rock") == 0)
+		return "store export";
+	bool plot =
+	    (strcmp(first, "series") == 0 && strcmp(last, "high") == 0) ||
+	    (strcmp(first, "serie") == 0 && strcmp(last, "hög") == 0);
+	return plot ? "plot" : NULL;
 }
 
 char *
@@ -82,7 +75,12 @@ command_that_made_sheet(const struct sheet *sheet)
 		     sheet->row[0].n > 1 && sheet->n_row > 1;
 	char *command = table ? first_word(sheet->row[1].cell[0].text)
 			      : command_on_about_sheet(sheet);
-	return command != NULL ? command : command_of_answer_with_trust(sheet);
+	bool text = sheet->name[0] == '\0';
+	for (size_t i = 0; i < sheet->n_row && text && command == NULL; i++) {
+		const char *found = command_by_line_of_answer(&sheet->row[i]);
+		command = found != NULL ? xstrdup(found) : NULL;
+	}
+	return command;
 }
 
 /* Results as JSON begin with {"command":"predict". */

@@ -652,11 +652,10 @@ ask_what_column_is(const struct site_request *q, const struct column *c,
 				   "'%.*s' before %s")
 			      : tr("expected headings and numbers that tell "
 				   "what line %zu is, got '%.*s' before %s")
-	    : speed ? tr("expected headings and numbers that tell what "
-			 "column %zu is, and its tip speed, got '%.*s' above "
-			 "%s")
-		      : tr("expected headings and numbers that tell what "
-			     "column %zu is, got '%.*s' above %s"),
+	    : speed ? tr("expected headings and numbers that tell what column "
+			 "%zu is, and its tip speed, got '%.*s' above %s")
+		    : tr("expected headings and numbers that tell what "
+			 "column %zu is, got '%.*s' above %s"),
 	    t->number[c->at], sheet_truncated_text_length(name), name, values);
 }
 
@@ -888,8 +887,7 @@ site_ask_refuse_second_feed(const struct column *further,
 	xappend(&columns, "\"");
 	FREED char *line = load_command_text_with_answer(q, columns);
 	sheet_report_fault(t->sheet, further->head,
-	    "expected one feed, or one for each product, got %s beside "
-	    "%s\n"
+	    "expected one feed, or one for each product, got %s beside %s\n"
 	    "keep the first%s: %s",
 	    further->head.text, first->head.text, hint_to_write_feed_again(q),
 	    line);

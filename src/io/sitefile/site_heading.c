@@ -68,18 +68,25 @@ read_first_number_of_cell(
 	    number_reparse_cell_with_text(sheet, cell, copy), value);
 }
 
-/* Returns the rotor's diameter, mm, that a key and value state, or 0.  A number
- * below 10 is in m. */
+/* Returns the rotor's diameter, mm, that a key and value state, or 0 if the key
+ * is about something else of the rotor, such as its type, hours or mass.  A
+ * number below 10 is in m. */
 static double
 rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 {
-	uint64_t means = lexicon_text_meanings(key.text, NULL);
-	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0)
-		return fmax(rotor_diameter_mm_in_text(value.text, true), 0);
+	const uint64_t fit = WORD_ROTOR | WORD_SIZE | WORD_MM | WORD_M |
+			     WORD_INCH | WORD_FILLER | WORD_MACHINE;
+	size_t unknown = 0;
+	uint64_t means = lexicon_text_meanings(key.text, &unknown);
+	if ((means & ~fit) != 0 || (means & WORD_ROTOR) == 0 ||
+	    (unknown > 0 && (means & WORD_SIZE) == 0))
+		return (means & WORD_SPEED) != 0
+			   ? 0
+			   : fmax(rotor_diameter_mm_in_text(value.text, true),
+				 0);
 	means |= lexicon_text_meanings(value.text, NULL);
 	double number;
-	if ((means & WORD_ROTOR) == 0 ||
-	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
+	if ((means & (WORD_SPEED | WORD_RPM)) != 0 ||
 	    !read_first_number_of_cell(sheet, value, &number))
 		return 0;
 	double mm = number * (number < 10 ? 1000 : 1);
@@ -386,8 +393,7 @@ site_heading_read(const struct layout *layout, struct sheet *sheet,
 }
 
 /* Returns the rotor's diameter, mm, that a line states in words or, if it has
- * none, as the value of a key of known words, so not of "Rotor hours"; 0 if it
- * states none, -1 if two differ. */
+ * none, as the value of a key; 0 if it states none, -1 if two differ. */
 static double
 rotor_mm_of_line(const struct sheet *sheet, const struct row *row)
 {
@@ -401,10 +407,7 @@ rotor_mm_of_line(const struct sheet *sheet, const struct row *row)
 	    mm == 0 &&
 	    next_key_and_value(row, &at, &key, &value, &third, &copy) == 2 &&
 	    lexicon_site_key_of_text(key.text) == N_KEY;
-	size_t unknown = 0;
-	if (pair)
-		lexicon_text_meanings(key.text, &unknown);
-	return pair && unknown == 0 ? rotor_mm_of_key(sheet, key, value) : mm;
+	return pair ? rotor_mm_of_key(sheet, key, value) : mm;
 }
 
 void

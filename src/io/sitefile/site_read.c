@@ -861,9 +861,12 @@ check_sheets_are_not_results(const struct source *source)
 	if (command != NULL)
 		sheet_report_fault(source->sheet[i - 1],
 		    source->sheet[i - 1]->row[0].cell[0],
-		    "expected a site file, got tipspeed's own results "
-		    "(%s)\nload the sheet that they were made from; 'write' "
-		    "saves a site file",
+		    strcmp(command, "store export") == 0
+			? N_("expected a site file, got materials of a store "
+			     "(%s)\n'store import FILE' reads them")
+			: N_("expected a site file, got tipspeed's own results "
+			     "(%s)\nload the sheet that they were made from; "
+			     "'write' saves a site file"),
 		    command);
 	free(command);
 	return command == NULL;

@@ -99,8 +99,7 @@ samples_parse_columns_option(struct samples *s, const char *text,
 	return text == NULL || range->n_sieves > 0 ||
 	       error_set(error, ERROR_USAGE,
 		   "expected a column of sieves in columns, got '%s'\n"
-		   "for instance: columns=\"1=sieve mm, 2=feed, "
-		   "3=product@69\"",
+		   "for instance: columns=\"1=sieve mm, 2=feed, 3=product@69\"",
 		   text);
 }
 
@@ -115,7 +114,7 @@ samples_clear(struct samples *s)
 }
 
 static const struct sample *
-find_sample_of_column(const struct samples *columns, size_t number)
+find_sample_of_column(struct samples *columns, size_t number)
 {
 	for (size_t i = 0; i < columns->n; i++)
 		if (columns->item[i].number == number) {
@@ -149,7 +148,7 @@ set_day_of_each_column(struct table *t)
 
 /* Gives the columns new headings and drops those that the user did not name. */
 static void
-rename_and_keep_named_columns(const struct samples *columns, struct table *t)
+rename_and_keep_named_columns(struct samples *columns, struct table *t)
 {
 	size_t n = 0;
 	struct row head = {.line = t->row[0].line};
@@ -184,7 +183,7 @@ rename_and_keep_named_columns(const struct samples *columns, struct table *t)
 }
 
 uint64_t
-samples_set_column_headings(const struct samples *columns, struct table *t)
+samples_set_column_headings(struct samples *columns, struct table *t)
 {
 	const struct sample *sieves =
 	    find_sample_of_column(columns, t->number[0]);
@@ -357,8 +356,8 @@ samples_report_missing(const struct samples *s, const struct table *t)
 		return;
 	if (s->item[i].number > 0) {
 		sheet_report_fault(t->sheet, t->row[0].cell[0],
-		    "expected columns of the table in columns, each once, got "
-		    "%s\nnumber the columns of the sheet from 1",
+		    "expected a column with numbers in columns=, got %s\n"
+		    "columns are counted from the left, empty ones too",
 		    s->item[i].name);
 		return;
 	}

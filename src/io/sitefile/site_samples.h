@@ -33,8 +33,7 @@ void samples_clear(struct samples *samples);
 /* Replaces the headings of a table by what the user says of its columns, and
  * drops the others; if only sieves are named, does neither.  Returns the
  * meanings of what is said of the sieves, or 0. */
-uint64_t samples_set_column_headings(
-    const struct samples *columns, struct table *t);
+uint64_t samples_set_column_headings(struct samples *columns, struct table *t);
 
 /* Returns the name of the sample in column c, a cell in a row of headings
  * labelled "Sample" or the like; NULL if there is none. */

@@ -321,9 +321,8 @@ material_valid_values_text(const struct material *m, const struct field *f)
 		return xasprintf(tr("one of: %s"), f->choices);
 	if (f == &FIELDS[FIELD_OF_NAME])
 		return xasprintf(
-		    tr("a name of 1 to %d bytes on one line, "
-		       "without quotes and not beginning with # or "
-		       "%s"),
+		    tr("a name of 1 to %d bytes on one line, without quotes "
+		       "and not beginning with # or %s"),
 		    (int)MOST_NAME, TABLE3);
 	if (f->kind == FIELD_NUMBER)
 		return xasprintf(tr("a number from %g to %g for %s"), f->least,

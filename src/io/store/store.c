@@ -813,8 +813,7 @@ insert_materials(struct store *store, const void *of, struct error *error)
 {
 	const struct put *put = of;
 	FREED char *head = sql_with_all_fields(
-	    put->replace ? "INSERT OR REPLACE INTO material "
-			   "(fold, digest"
+	    put->replace ? "INSERT OR REPLACE INTO material (fold, digest"
 			 : "INSERT INTO material (fold, digest",
 	    false, ") VALUES (?, ?");
 	FREED char *sql = sql_with_all_fields(head, true, ")");

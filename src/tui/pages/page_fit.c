@@ -537,9 +537,8 @@ fit_page_hints(const struct tui *t)
 	return busy && t->held ? N_("Space continue  .  ?  q  s  Down Enter  v")
 	       : busy          ? "Space  .  ?  q  s  +/-  v"
 	       : tui_calibration_history(t).n > 0
-		   ? N_("<-/-> generation  1 predict  "
-			"f again  ?  q  Down Enter  "
-			"v")
+		   ? N_("<-/-> generation  1 predict  f again  ?  q  Down "
+			"Enter  v")
 		   : "f  ?  q  +/-  :";
 }
 

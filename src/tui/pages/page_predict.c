@@ -32,10 +32,9 @@ static const struct {
 	enum picker_list list;
 } WAYS[] = {{N_("Open a sheet"),
 		N_("Sieve analyses of the feed and of the product at two "
-		   "speeds or more, "
-		   "from Excel, LibreOffice or CSV. The list shows how each "
-		   "file would be "
-		   "read. The key o opens it later."),
+		   "speeds or more, from Excel, LibreOffice or CSV. The list "
+		   "shows how each file would be read. The key o opens it "
+		   "later."),
 		PICK_FILES},
     {N_("Go on with a saved session"),
 	N_("Brings back what the key w saved in a file that ends in .tip: "
