@@ -333,7 +333,12 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	assert_non_null(strstr(t->message, "b again"));
 	press(stage, "? p");
 	assert_non_null(strstr(t->message, "p again: to the limit"));
-	press(stage, "? q");
+	const double speed = tui_slider_speed(t);
+	press(stage, "? Shift-Left H V L Shift-Right");
+	assert_true(t->viewer.text != NULL && tui_slider_speed(t) == speed);
+	press(stage, "q ? / speed Left Shift-Right");
+	assert_true(t->viewer.text != NULL && tui_slider_speed(t) == speed);
+	press(stage, "Esc Esc ? q");
 	assert_true(t->viewer.text == NULL && !t->leave);
 	press(stage, "? ?");
 	assert_null(t->viewer.text);
