@@ -1697,10 +1697,13 @@ undo_says_what_it_took_and_how_it_comes_back(void **state)
 	type(t, "u");
 	assert_false(tui_current_site_entry(t)->has_fit);
 	assert_non_null(strstr(t->message, "population=200; U brings"));
-	assert_true(has_hint(t, "U redo"));
+	assert_true(has_hint(t, "U redo") && !has_hint(t, "x pin"));
 	type(t, "U");
 	assert_true(tui_current_site_entry(t)->has_fit);
 	assert_null(strstr(t->message, "U brings"));
+	while (!t->failed)
+		type(t, "u");
+	assert_false(has_hint(t, "U redo"));
 }
 
 /* One stray x loses nothing: as in "/x" where there is no list to search. */
