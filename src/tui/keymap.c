@@ -678,8 +678,8 @@ keymap_handle_key(struct tui *t, int code, bool special)
 	/* A character beyond ASCII is not a key, though its code may equal that
 	 * of one. */
 	enum mode mode = find_active_input_mode(t, ANSWER);
-	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
-	    mode != LINE)
+	if (!special && code > DELETE && mode != FILES &&
+	    !keymap_is_typed_as_text(t, code))
 		return;
 	const struct key *key = keys_find_by_code(code, t->ui.page);
 	if (special && code == KEY_MOUSE) {

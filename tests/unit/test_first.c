@@ -134,6 +134,11 @@ choose_borlange(struct tui *t)
 	press(t, "Enter");
 	choose(t, "sites");
 	press(t, "Right");
+	keymap_handle_key(t, 0xE4, false);
+	assert_string_equal(t->picker.word.text, "ä");
+	press(t, "Esc");
+	keymap_handle_key(t, 0x3B1, false);
+	assert_non_null(strstr(t->message, "nothing here has 'α'"));
 	choose(t, "borlange.csv");
 }
 
