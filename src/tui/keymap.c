@@ -16,6 +16,7 @@
 #include "cmd/session/files.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
+#include "cmd/fit/job.h"
 #include "cmd/lang/parse.h"
 #include "tui/acts.h"
 #include "tui/widgets/dialog.h"
@@ -211,13 +212,6 @@ confirm_replace_params(struct tui *t)
 	return yes;
 }
 
-static void
-restart_calibration(struct tui *t, const char *line)
-{
-	tui_stop_fit(t);
-	control_run_command_captured(t, line);
-}
-
 void
 act_calibrate(struct tui *t, const struct key *key)
 {
@@ -226,10 +220,18 @@ act_calibrate(struct tui *t, const struct key *key)
 		tui_set_message(t, true, TUI_NO_SITE);
 		return;
 	}
+	const struct session *s = t->session;
+	if (session_is_calibrating(s) && !s->job.type->alone) {
+		tui_set_message(t, false,
+		    "several calibrations are running: s stops them, then f "
+		    "calibrates this site");
+		return;
+	}
 	if (!confirm_replace_params(t))
 		return;
 	pages_go_to(t, PAGE_FIT);
-	restart_calibration(t, "calibrate");
+	tui_stop_fit(t);
+	control_run_command_captured(t, "calibrate");
 }
 
 /* Pauses or continues the calibration, or continues one that was stopped. */
@@ -243,7 +245,7 @@ act_toggle_calibration_pause(struct tui *t, const struct key *key)
 		tui_set_message(t, false,
 		    t->held ? N_("paused: Space continues") : N_("continuing"));
 	} else if (s->job.calibration != NULL) {
-		restart_calibration(t, "continue");
+		control_run_command_captured(t, "continue");
 	} else {
 		tui_set_message(
 		    t, false, "no calibration is running: f starts one");

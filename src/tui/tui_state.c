@@ -49,8 +49,9 @@ tui_site_entry_for_prediction(const struct tui *t)
 const char *
 tui_why_no_prediction(const struct tui *t)
 {
-	return tui_current_site_entry(t) == NULL
-		   ? tr(TUI_NO_SITE)
+	return tui_current_site_entry(t) == NULL ? tr(TUI_NO_SITE)
+	       : session_is_calibrating(t->session)
+		   ? tr("no prediction until the calibration ends")
 		   : tr("no prediction yet: f calibrates");
 }
 
