@@ -632,6 +632,14 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	bool certain;
 	assert_true(goal_is_met_between(t, limit[0], limit[1], &certain));
 	assert_false(goal_is_met_between(t, 80, 85, &certain));
+	/* Certain within the measured speeds, though met beyond them. */
+	type(t, "t\025passing 2 = 30..36, p80 < 5.6\n");
+	draw_all(t);
+	FREED char *beyond = goal_result_text(t, GOALS_SPEEDS),
+		   *within = goal_result_text(t, GOALS_PLAIN);
+	assert_non_null(strstr(beyond, ", partly extrapolated"));
+	assert_non_null(strstr(within, "certain 69.2 to 77.3"));
+	assert_null(strstr(within, "extrapolated"));
 	/* Nothing is wanted any more: runs are where they go. */
 	type(t, "t\025\n");
 	assert_string_equal(t->session->set.goal, "");
