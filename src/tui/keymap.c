@@ -434,6 +434,7 @@ handle_command_line_key(struct tui *t, int code, bool special)
 	if (result == EDIT_ON)
 		return true;
 	edit_stop_editing(y);
+	t->message[0] = '\0';
 	if (result == EDIT_DONE)
 		cmdline_run_line(t, y->text);
 	return true;
@@ -528,6 +529,8 @@ handle_mouse_action(struct tui *t, enum hit_kind kind, int row, int column)
 	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
 	if (kind == HIT_PRESS && !own)
 		edit_begin(&t->speed, "");
+	if (kind == HIT_PRESS && !t->line.active && t->viewer.text == NULL)
+		t->message[0] = '\0';
 	hits_dispatch_mouse(t, &t->hits, kind, row, column, keymap_handle_key);
 }
 

@@ -907,6 +907,9 @@ bounds_are_typed_on_their_strip(void **state)
 	while (!t->line.active && row < 24)
 		mouse(t, HIT_PRESS, row++, t->layout.side.column + 2);
 	assert_string_equal(t->line.text, "bounds beta1 ");
+	assert_non_null(strstr(t->message, "type low..high"));
+	press(t, "Esc");
+	assert_string_equal(t->message, "");
 }
 
 static void
