@@ -331,6 +331,12 @@ a_feed_fills_the_guess(void **state)
 	assert_non_null(t->viewer.text);
 	assert_non_null(strstr(t->viewer.text,
 	    "no material is of the rock type 'granitegranite'"));
+	/* f would calibrate nothing. */
+	press(t, "Esc");
+	press(t, "c");
+	assert_string_equal(t->message, "no product: type :guess");
+	press(t, "2");
+	assert_false(shows("f fit"));
 }
 
 static void

@@ -533,6 +533,9 @@ fit_page_hints(const struct tui *t)
 		   ? N_("<-/-> generation  1 predict  "
 			"f again  ?  q  Down Enter  "
 			"v")
+	       : tui_current_site(t) != NULL &&
+		       site_count_products(tui_current_site(t)) == 0
+		   ? N_(":  ?  q  o  1-5 pages")
 		   : "f  ?  q  +/-  :";
 }
 
