@@ -1827,6 +1827,11 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 		assert_string_equal(tui_current_site_entry(t)->key, "tierp");
 		assert_true(tui_current_site_entry(t)->fit.misfit == best);
 	}
+	/* Nothing was taken, so that nothing is undone and brought back. */
+	type(t, "1f..u");
+	assert_non_null(strstr(t->message, "cannot be continued"));
+	assert_null(strstr(t->message, "U brings"));
+	assert_true(tui_current_site_entry(t)->fit.misfit == best);
 	/* The last way is to quit, or a signal. */
 	type(t, "1f..");
 	control_close_screen(t);
