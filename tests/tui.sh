@@ -417,6 +417,10 @@ gesture '\[65\.0\]' "a click sets the speed" '0;5;21M' '0;5;21m'
 gesture '\[85\.0\]' "dragging moves it" \
 	'0;5;21M' '32;40;21M' '32;76;21M' '0;76;21m'
 gesture '\[84\.9\]' "and the wheel" '65;40;10M'
+keys z
+want 'this key has no function'
+gesture '^READY' "a message goes at the next click" '0;30;6M' '0;30;6m'
+keys c
 # The column of a word in the heading.
 heading() { awk -v word="$1" 'NR == 1 { print index($0, word) }' screen; }
 sites=$(heading '5 Sites')

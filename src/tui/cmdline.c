@@ -14,6 +14,7 @@
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/lang/parse.h"
+#include "cmd/session/undo.h"
 #include "tui/control.h"
 #include "cli/ask.h"
 #include "cli/signals.h"
@@ -189,6 +190,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	if (effect != JOB_GOES_ON)
 		stopped = tui_stop_fit(t);
 	bool paused = s->job.paused;
+	size_t steps = undo_count_steps(s);
 	if (command == command_find("save"))
 		control_store_page_settings(t);
 	/* Only a shell command may write past the session's streams. */
@@ -212,7 +214,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	show_output_of_line(
 	    t, command, line, ok, session_is_calibrating(s) && !beside);
 	/* The user may have wanted to undo a move of the slider. */
-	if (ok && command == command_find("undo"))
+	if (command == command_find("undo") && undo_count_steps(s) < steps)
 		append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "
 			  "undone)"));

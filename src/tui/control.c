@@ -324,6 +324,7 @@ control_run_command_captured(struct tui *t, const char *line)
 	free(t->command);
 	t->command = xstrdup(line);
 	t->message[0] = '\0';
+	t->failed = false;
 	bool ok = run_line_capturing_output(t, line);
 	t->failed = !ok;
 	if (!ok)

@@ -122,9 +122,10 @@ draw_command_line(struct tui *t, const struct area *area)
 	int column = screen_draw_text(
 	    area, 0, 0, 0, ": %s", t->command != NULL ? t->command : "");
 	if (t->command != NULL &&
-	    column + 4 + (int)strlen(tail) < area->columns)
-		screen_draw_text(area, 0, area->columns - (int)strlen(tail) - 1,
-		    LOOK_DIM, "%s", tail);
+	    column + 4 + text_width_in_columns(tail) < area->columns)
+		screen_draw_text(area, 0,
+		    area->columns - text_width_in_columns(tail) - 1, LOOK_DIM,
+		    "%s", tail);
 	return 0;
 }
 
@@ -225,7 +226,7 @@ draw_status_row(struct tui *t, const struct area *area)
 		     : tr("mouse off  %s  %d colours"),
 	    screen_charset() == CHARSET_ASCII ? tr("ascii") : tr("utf8"),
 	    screen_colour_count());
-	int from = area->columns - (int)strlen(right) - 1;
+	int from = area->columns - text_width_in_columns(right) - 1;
 	if (from > column + 2)
 		screen_draw_text(area, 0, from, LOOK_DIM, "%s", right);
 }

@@ -16,6 +16,7 @@
 #include "cmd/session/files.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
+#include "cmd/fit/job.h"
 #include "cmd/lang/parse.h"
 #include "tui/acts.h"
 #include "tui/widgets/dialog.h"
@@ -211,13 +212,6 @@ confirm_replace_params(struct tui *t)
 	return yes;
 }
 
-static void
-restart_calibration(struct tui *t, const char *line)
-{
-	tui_stop_fit(t);
-	control_run_command_captured(t, line);
-}
-
 void
 act_calibrate(struct tui *t, const struct key *key)
 {
@@ -226,10 +220,18 @@ act_calibrate(struct tui *t, const struct key *key)
 		tui_set_message(t, true, TUI_NO_SITE);
 		return;
 	}
+	const struct session *s = t->session;
+	if (session_is_calibrating(s) && !s->job.type->alone) {
+		tui_set_message(t, false,
+		    "several calibrations are running: s stops them, then f "
+		    "calibrates this site");
+		return;
+	}
 	if (!confirm_replace_params(t))
 		return;
 	pages_go_to(t, PAGE_FIT);
-	restart_calibration(t, "calibrate");
+	tui_stop_fit(t);
+	control_run_command_captured(t, "calibrate");
 }
 
 /* Pauses or continues the calibration, or continues one that was stopped. */
@@ -243,7 +245,7 @@ act_toggle_calibration_pause(struct tui *t, const struct key *key)
 		tui_set_message(t, false,
 		    t->held ? N_("paused: Space continues") : N_("continuing"));
 	} else if (s->job.calibration != NULL) {
-		restart_calibration(t, "continue");
+		control_run_command_captured(t, "continue");
 	} else {
 		tui_set_message(
 		    t, false, "no calibration is running: f starts one");
@@ -432,6 +434,7 @@ handle_command_line_key(struct tui *t, int code, bool special)
 	if (result == EDIT_ON)
 		return true;
 	edit_stop_editing(y);
+	t->message[0] = '\0';
 	if (result == EDIT_DONE)
 		cmdline_run_line(t, y->text);
 	return true;
@@ -526,6 +529,8 @@ handle_mouse_action(struct tui *t, enum hit_kind kind, int row, int column)
 	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
 	if (kind == HIT_PRESS && !own)
 		edit_begin(&t->speed, "");
+	if (kind == HIT_PRESS && !t->line.active && t->viewer.text == NULL)
+		t->message[0] = '\0';
 	hits_dispatch_mouse(t, &t->hits, kind, row, column, keymap_handle_key);
 }
 
@@ -678,8 +683,8 @@ keymap_handle_key(struct tui *t, int code, bool special)
 	/* A character beyond ASCII is not a key, though its code may equal that
 	 * of one. */
 	enum mode mode = find_active_input_mode(t, ANSWER);
-	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
-	    mode != LINE)
+	if (!special && code > DELETE && mode != FILES &&
+	    !keymap_is_typed_as_text(t, code))
 		return;
 	const struct key *key = keys_find_by_code(code, t->ui.page);
 	if (special && code == KEY_MOUSE) {

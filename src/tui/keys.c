@@ -384,12 +384,6 @@ has_word_in_help_line(const struct key *k, const char *word)
 	return text_contains_folded(line, word);
 }
 
-static bool
-is_key_in_brief_list(const struct key *k, enum page page)
-{
-	return k->brief != NULL && k->where & (1U << page);
-}
-
 /* Lists keys, those of the page first: all keys of the page or, if there is a
  * word, those whose line contains it.  Returns their number. */
 static size_t
@@ -400,8 +394,9 @@ list_keys_of_page_or_word(enum page page, const char *word,
 	for (int own = 1; own >= 0; own--)
 		for (const struct key *k = KEYS; k->code != 0; k++)
 			if (is_key_listed_first_on_page(k, page) == own &&
-			    (word[0] != '\0' ? has_word_in_help_line(k, word)
-					     : is_key_in_brief_list(k, page)))
+			    (word[0] != '\0'
+				    ? has_word_in_help_line(k, word)
+				    : k->brief && k->where & (1U << page)))
 				line[n++] = k;
 	return n;
 }

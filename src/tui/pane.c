@@ -136,7 +136,7 @@ draw_legend_envelope_limits(const struct tui *t, int column, bool ascii)
 	free(words);
 }
 
-/* Names the mark of each run, and says how many runs are not drawn.  Sets
+/* Says how many speeds are not drawn, and names the mark of each run.  Sets
  * *moved if any product was moved to the feed. */
 static int
 draw_legend_runs(const struct tui *t, int column, bool *moved)
@@ -144,6 +144,12 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 	const struct entry *entry = tui_current_site_entry(t);
 	const struct site *site = entry->site;
 	char text[64];
+	if (site_chart_count_speeds_left_out(site) > 0) {
+		snprintf(text, sizeof text, tr("runs not drawn: %zu"),
+		    site_chart_count_speeds_left_out(site));
+		column =
+		    draw_legend_curve_name(t, column, SERIES_TEXT, 0, text);
+	}
 	for (size_t r = 0; r < site->n_run; r++) {
 		bool held_out = !entry->train[r];
 		if (site_run_repeats_speed(site, r) ||
@@ -160,12 +166,6 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 		column = draw_legend_curve_name(
 		    t, column, look.series, LOOK_BOLD, text);
 		*moved = *moved || tui_is_product_moved_to_feed(t, r);
-	}
-	if (site_chart_count_speeds_left_out(site) > 0) {
-		snprintf(text, sizeof text, tr("+%zu not drawn"),
-		    site_chart_count_speeds_left_out(site));
-		column =
-		    draw_legend_curve_name(t, column, SERIES_TEXT, 0, text);
 	}
 	return column;
 }

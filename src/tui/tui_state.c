@@ -49,8 +49,11 @@ tui_site_entry_for_prediction(const struct tui *t)
 const char *
 tui_why_no_prediction(const struct tui *t)
 {
-	return tui_current_site_entry(t) == NULL
-		   ? tr(TUI_NO_SITE)
+	return tui_current_site_entry(t) == NULL ? tr(TUI_NO_SITE)
+	       : session_is_calibrating(t->session)
+		   ? tr("no prediction until the calibration ends")
+	       : site_count_products(tui_current_site(t)) == 0
+		   ? tr("no product: type :guess")
 		   : tr("no prediction yet: f calibrates");
 }
 

@@ -42,16 +42,6 @@ summary_numbers_of_prediction(const char *key, const struct prediction *p)
 	return n;
 }
 
-/* Copies the numbers of the session's pinned prediction. */
-static void
-copy_pinned_numbers(struct tui *t)
-{
-	const struct pin *pin = t->session->pin;
-	t->view.pinned = pin != NULL
-			     ? summary_numbers_of_prediction(pin->key, &pin->p)
-			     : (struct numbers){0};
-}
-
 static void
 free_shown_prediction(struct tui *t)
 {
@@ -108,7 +98,10 @@ view_discard_outdated(struct tui *t)
 	discard_stale_predictions(t);
 	if (entry != NULL && entry == session_entry_being_fitted(t->session))
 		t->pending_key = NULL;
-	copy_pinned_numbers(t);
+	const struct pin *pin = t->session->pin;
+	t->view.pinned = pin != NULL
+			     ? summary_numbers_of_prediction(pin->key, &pin->p)
+			     : (struct numbers){0};
 	if (isnan(
 		session_number_in_last_answer(t->session, "predict", "speed")))
 		discard_shown_prediction(t);

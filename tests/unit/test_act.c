@@ -632,6 +632,14 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	bool certain;
 	assert_true(goal_is_met_between(t, limit[0], limit[1], &certain));
 	assert_false(goal_is_met_between(t, 80, 85, &certain));
+	/* Certain within the measured speeds, though met beyond them. */
+	type(t, "t\025passing 2 = 30..36, p80 < 5.6\n");
+	draw_all(t);
+	FREED char *beyond = goal_result_text(t, GOALS_SPEEDS),
+		   *within = goal_result_text(t, GOALS_PLAIN);
+	assert_non_null(strstr(beyond, ", partly extrapolated"));
+	assert_non_null(strstr(within, "certain 69.2 to 77.3"));
+	assert_null(strstr(within, "extrapolated"));
 	/* Nothing is wanted any more: runs are where they go. */
 	type(t, "t\025\n");
 	assert_string_equal(t->session->set.goal, "");
@@ -899,6 +907,9 @@ bounds_are_typed_on_their_strip(void **state)
 	while (!t->line.active && row < 24)
 		mouse(t, HIT_PRESS, row++, t->layout.side.column + 2);
 	assert_string_equal(t->line.text, "bounds beta1 ");
+	assert_non_null(strstr(t->message, "type low..high"));
+	press(t, "Esc");
+	assert_string_equal(t->message, "");
 }
 
 static void
@@ -1697,10 +1708,13 @@ undo_says_what_it_took_and_how_it_comes_back(void **state)
 	type(t, "u");
 	assert_false(tui_current_site_entry(t)->has_fit);
 	assert_non_null(strstr(t->message, "population=200; U brings"));
-	assert_true(has_hint(t, "U redo"));
+	assert_true(has_hint(t, "U redo") && !has_hint(t, "x pin"));
 	type(t, "U");
 	assert_true(tui_current_site_entry(t)->has_fit);
 	assert_null(strstr(t->message, "U brings"));
+	while (!t->failed)
+		type(t, "u");
+	assert_false(has_hint(t, "U redo"));
 }
 
 /* One stray x loses nothing: as in "/x" where there is no list to search. */
@@ -1813,6 +1827,11 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 		assert_string_equal(tui_current_site_entry(t)->key, "tierp");
 		assert_true(tui_current_site_entry(t)->fit.misfit == best);
 	}
+	/* Nothing was taken, so that nothing is undone and brought back. */
+	type(t, "1f..u");
+	assert_non_null(strstr(t->message, "cannot be continued"));
+	assert_null(strstr(t->message, "U brings"));
+	assert_true(tui_current_site_entry(t)->fit.misfit == best);
 	/* The last way is to quit, or a signal. */
 	type(t, "1f..");
 	control_close_screen(t);

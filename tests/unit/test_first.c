@@ -134,6 +134,11 @@ choose_borlange(struct tui *t)
 	press(t, "Enter");
 	choose(t, "sites");
 	press(t, "Right");
+	keymap_handle_key(t, 0xE4, false);
+	assert_string_equal(t->picker.word.text, "ä");
+	press(t, "Esc");
+	keymap_handle_key(t, 0x3B1, false);
+	assert_non_null(strstr(t->message, "nothing here has 'α'"));
 	choose(t, "borlange.csv");
 }
 
@@ -326,6 +331,12 @@ a_feed_fills_the_guess(void **state)
 	assert_non_null(t->viewer.text);
 	assert_non_null(strstr(t->viewer.text,
 	    "no material is of the rock type 'granitegranite'"));
+	/* f would calibrate nothing. */
+	press(t, "Esc");
+	press(t, "c");
+	assert_string_equal(t->message, "no product: type :guess");
+	press(t, "2");
+	assert_false(shows("f fit"));
 }
 
 static void

@@ -135,9 +135,15 @@ all_sites_are_calibrated_while_keys_are_taken(void **state)
 	assert_non_null(strstr(row_of(stage, 3), "paused"));
 	assert_int_equal(s->job.entry, 1);
 	press(t, "Space");
-	/* One does not open another meanwhile. */
+	/* One does not open another meanwhile, nor calibrate one. */
 	press(t, "Enter");
 	assert_true(session_is_calibrating(s));
+	press(t, "f");
+	assert_non_null(strstr(t->message, "s stops them"));
+	press(t, "1 Enter");
+	assert_non_null(strstr(t->message, "until the calibration ends"));
+	press(t, "5");
+	assert_int_equal(s->job.entry, 1);
 	turn(t);
 	assert_true(s->entry[1].has_fit);
 	press(t, "s");

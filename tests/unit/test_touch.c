@@ -274,6 +274,10 @@ a_word_filters_the_rows(void **state)
 	assert_true(find_text(stage, "0 of 3", &row, &column));
 	press(stage, "Enter Enter");
 	assert_int_equal(t->ui.page, PAGE_SITES);
+	press(stage, "/ Backspace Backspace Backspace öSSJ");
+	assert_string_equal(t->filter.text, "öSSJ");
+	assert_true(find_text(stage, "SSJ  1 of 3", &row, &column));
+	press(stage, "Enter");
 	/* Without a row of hints the word is seen, too. */
 	canvas_free(screen_end_offscreen(stage->was));
 	stage->was = screen_begin_offscreen(6, 40, CHARSET_ASCII, 0);
@@ -333,7 +337,14 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	assert_non_null(strstr(t->message, "b again"));
 	press(stage, "? p");
 	assert_non_null(strstr(t->message, "p again: to the limit"));
-	press(stage, "? q");
+	const double speed = tui_slider_speed(t);
+	press(stage, "? Shift-Left H V L Shift-Right");
+	assert_true(t->viewer.text != NULL && tui_slider_speed(t) == speed);
+	press(stage, "q V / ä");
+	assert_string_equal(t->viewer.word.text, "ä");
+	press(stage, "Esc q ? / speed Left Shift-Right");
+	assert_true(t->viewer.text != NULL && tui_slider_speed(t) == speed);
+	press(stage, "Esc Esc ? q");
 	assert_true(t->viewer.text == NULL && !t->leave);
 	press(stage, "? ?");
 	assert_null(t->viewer.text);

@@ -371,20 +371,21 @@ certain_speeds_text(const struct session *s, const struct goal *g,
 	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }
 
-/* Returns which part of the outcome is beyond the measured speeds, to be
- * translated, or "". */
+/* Returns which part of the outcome, or of its certain speeds alone, is beyond
+ * the measured speeds, to be translated, or "". */
 static const char *
 goal_extrapolation_text(
-    const struct entry *entry, const struct goal *g, double best)
+    const struct entry *entry, const struct goal *g, double best, bool certain)
 {
+	const double *ends = g->found->sure;
+	const struct speed_range sure = {.from = ends[0], .to = ends[1]},
+				 *in = certain ? &sure : g->found->inside;
 	bool window = g->n_value == 0 && g->found->n_inside > 0;
 	if (isfinite(best) && answers_is_speed_extrapolated(entry, best))
 		return window ? N_("best extrapolated") : N_("extrapolated");
-	for (size_t i = 0; i < g->found->n_inside && window; i++)
-		if (answers_is_speed_extrapolated(
-			entry, g->found->inside[i].from) ||
-		    answers_is_speed_extrapolated(
-			entry, g->found->inside[i].to))
+	for (size_t n = certain ? 1 : g->found->n_inside; window && n > 0; n--)
+		if (answers_is_speed_extrapolated(entry, in[n - 1].from) ||
+		    answers_is_speed_extrapolated(entry, in[n - 1].to))
 			return N_("partly extrapolated");
 	return "";
 }
@@ -417,8 +418,10 @@ goal_met_or_nearest_text(const struct session *s, const struct entry *entry,
 {
 	bool full = length < GOALS_PLAIN;
 	double best = goals_best_speed(s, g, speed);
-	const char *beyond = goal_extrapolation_text(entry, g, best);
 	FREED char *certain = certain_speeds_text(s, g, entry->site, length);
+	bool told = length < GOALS_SHORT && certain[0] != '\0',
+	     alone = told && !full && isfinite(g->found->sure[0]);
+	const char *beyond = goal_extrapolation_text(entry, g, best, alone);
 	char *words = goal_met_speeds_text(g, entry->site, full);
 	if (words[0] == '\0') {
 		free(words);
@@ -426,8 +429,7 @@ goal_met_or_nearest_text(const struct session *s, const struct entry *entry,
 	}
 	if (g->missed != NULL && full)
 		xappend(&words, ": %s", g->missed);
-	bool told = length < GOALS_SHORT && certain[0] != '\0';
-	if (told && !full && isfinite(g->found->sure[0]))
+	if (alone)
 		words[0] = '\0';
 	if (told)
 		xappend_to_list(&words, ", ", "%s", certain);

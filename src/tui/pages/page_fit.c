@@ -253,14 +253,6 @@ fit_stop_and_verdict_text(const struct tui *t, const struct entry *entry)
 	    (unsigned long long)entry->fit.seed, verdict);
 }
 
-static char *
-posterior_draws_settled_text(const struct evidence *e)
-{
-	return xasprintf(e->halves > DRAWS_SETTLED ? tr("%d draws, not settled")
-						   : tr("%d draws, settled"),
-	    POSTERIOR_DRAWS);
-}
-
 /* Draws the verdict when the end of a search is shown, in rows that the
  * parameters and the convergence leave free.  Returns the row after it. */
 static int
@@ -275,15 +267,16 @@ draw_calibration_result(const struct tui *t, int row)
 	int heads = 1 + (int)breakage_model_of_params(&entry->params)->n;
 	int room = side->rows - row - heads - CONVERGENCE - (p != NULL);
 	char *words = fit_stop_and_verdict_text(t, entry);
-	int from = row;
 	row = screen_draw_wrapped_rows(
 	    side, row, room > 1 ? room : 1, 0, words, " .. :why");
 	free(words);
 	if (p == NULL)
 		return row;
-	room -= row - from;
-	words = posterior_draws_settled_text(
-	    trust_evidence_of_calibration(t->session, entry));
+	double halves =
+	    trust_evidence_of_calibration(t->session, entry)->halves;
+	words = xasprintf(halves > DRAWS_SETTLED ? tr("%d draws, not settled")
+						 : tr("%d draws, settled"),
+	    POSTERIOR_DRAWS);
 	row = screen_draw_wrapped(side, row, 0, words);
 	free(words);
 	return row;
@@ -539,6 +532,9 @@ fit_page_hints(const struct tui *t)
 	       : tui_calibration_history(t).n > 0
 		   ? N_("<-/-> generation  1 predict  f again  ?  q  Down "
 			"Enter  v")
+	       : tui_current_site(t) != NULL &&
+		       site_count_products(tui_current_site(t)) == 0
+		   ? N_(":  ?  q  o  1-5 pages")
 		   : "f  ?  q  +/-  :";
 }
 

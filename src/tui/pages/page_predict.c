@@ -255,7 +255,8 @@ predict_page_plot_arguments(const struct tui *t)
 static const char *
 predict_page_hints(const struct tui *t)
 {
-	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
+	bool undone =
+	    t->command != NULL && !t->failed && strcmp(t->command, "undo") == 0;
 	if (tui_current_site_entry(t) == NULL)
 		return N_("Up/Down, Enter choose  ?  q  o open  :");
 	if (goal_is_viewed(t))
@@ -265,13 +266,15 @@ predict_page_hints(const struct tui *t)
 		return N_("r this speed  <-/->  ?  q  :  d");
 	if (t->ui.crosshair)
 		return N_("<-/->  Up/Down  < >  c no crosshair  ?  q  :");
-	if (undone)
-		return "<-/->  U  ?  q  f  :  t  x  e  u";
 	if (t->view.current.site[0] == '\0' &&
 	    !session_is_calibrating(t->session))
-		return site_count_products(tui_current_site_entry(t)->site) > 0
-			   ? N_("Enter calibrate  ?  q  :  o  1-5 pages")
-			   : N_(":  ?  q  o  1-5 pages");
+		return site_count_products(tui_current_site(t)) == 0
+			   ? N_(":  ?  q  o  1-5 pages")
+		       : undone
+			   ? N_("Enter calibrate  U  ?  q  :  o  1-5 pages")
+			   : N_("Enter calibrate  ?  q  :  o  1-5 pages");
+	if (undone)
+		return "<-/->  U  ?  q  f  :  t  x  e  u";
 	if (t->view.pinned.site[0] != '\0')
 		return goals_is_set(t->session)
 			   ? N_("<-/->  n p  N  T  x unpin  ?  Enter  q  e  :  "

@@ -175,6 +175,7 @@ dialog_draw(struct tui *t, int rows, int columns)
 	    .rows = high + 2 * edge,
 	    .columns = wide};
 	screen_clear_area(&box);
+	screen_clear_area(&t->layout.hints); /* of keys that are text now */
 	hits_clear_click_areas(&t->hits);
 	hits_add_mouse_handler(
 	    &t->hits, HIT_WHEEL, box, on_wheel_scroll_table, 0);

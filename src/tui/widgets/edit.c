@@ -268,7 +268,7 @@ bool
 edit_insert_or_erase_letter(struct edit *t, int code, bool special, size_t most)
 {
 	bool back = code == DELETE || code == '\b';
-	if (special || (back ? t->n == 0 : code < ' ' || code >= DELETE))
+	if (special || (back ? t->n == 0 : code < ' '))
 		return false;
 	if (back)
 		replace_before_cursor(

@@ -47,7 +47,7 @@ size_t edit_first_unshown_completion(const struct edit *t);
 /* Replaces the word with offer n. */
 void edit_insert_completion(struct edit *t, size_t n);
 
-/* Adds an ASCII letter to a text of at most `most` letters, or deletes the last
+/* Adds a letter to a text of fewer than `most` bytes, or deletes the last
  * letter.  Returns false if the key does neither or there is nothing to
  * delete. */
 bool edit_insert_or_erase_letter(

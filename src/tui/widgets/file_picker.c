@@ -192,7 +192,7 @@ handle_file_filter_key(struct tui *t, int code, bool special)
 {
 	struct picker *c = &t->picker;
 	bool back = code == DELETE || code == '\b' || code == ESCAPE,
-	     letter = code < DELETE && (isalnum(code) || strchr("._- ", code));
+	     letter = code > DELETE || isalnum(code) || strchr("._- ", code);
 	if (special || code == '\0' || (back ? c->word.n == 0 : !letter))
 		return false;
 	t->message[0] = '\0';

@@ -71,13 +71,6 @@ is_condition_met_at_slider(const struct tui *t, const struct condition *c)
 	return !(value < c->least) && !(value > c->most) && !isnan(value);
 }
 
-static void
-append_speed_to_text_list(char **list, const struct site *site, double speed)
-{
-	FREED char *text = answers_speed_text(site, speed, 1);
-	xappend_to_list(list, ", ", "%s", text);
-}
-
 /* Returns the speeds at which condition i holds by itself, "70.8 to 78.0 m/s"
  * or, for a goal that is a value, those that give it. */
 static char *
@@ -87,9 +80,11 @@ condition_speeds_text(const struct tui *t, size_t i)
 	bool known = are_goal_speeds_known(t);
 	if (!known || i >= g->list.n - g->n_value) {
 		char *met = xstrdup(known && g->n_met > 0 ? "" : "-");
-		for (size_t k = 0; known && k < g->n_met; k++)
-			append_speed_to_text_list(
-			    &met, tui_current_site(t), g->met[k]);
+		for (size_t k = 0; known && k < g->n_met; k++) {
+			FREED char *speed = answers_speed_text(
+			    tui_current_site(t), g->met[k], 1);
+			xappend_to_list(&met, ", ", "%s", speed);
+		}
 		return met;
 	}
 	const double *alone = g->found->alone[i];

@@ -42,7 +42,8 @@ draw_curve_at_crosshair(const struct tui *t, const struct area *area, int row,
 	    1000 * psd_size_at_passing(finer, t->ui.crosshair_passing / 100.0);
 	if (isfinite(mm))
 		readout_size_or_reason_text(mm, size);
-	screen_draw_text(area, row, 0, look, "%-8.8s", name);
+	struct area left = area_of_columns_in_row(area, row, 0, 8);
+	screen_draw_clipped_text(&left, 0, 0, SERIES_TEXT, look, name);
 	if (psd_covers_size(psd, x))
 		screen_draw_text(
 		    area, row, 8, look, "%5.1f %%", 100 * psd_passing(psd, x));
@@ -102,7 +103,8 @@ readout_draw_at_crosshair(struct tui *t, const struct area *area)
 	    units_m_to_mm(p->product.size[t->ui.crosshair_sieve]));
 	screen_draw_text(area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name,
 	    t->ui.crosshair_passing);
-	draw_curve_at_crosshair(t, area, row++, 0, "feed", &p->feed, &p->feed);
+	draw_curve_at_crosshair(
+	    t, area, row++, 0, tr("feed"), &p->feed, &p->feed);
 	for (size_t r = 0; r < site->n_run && tui_other_feed(t)[0] == '\0';
 	     r++) {
 		const struct run *run = &site->run[r];
@@ -116,9 +118,9 @@ readout_draw_at_crosshair(struct tui *t, const struct area *area)
 		    tui_product_adjusted_to_feed(t, r));
 	}
 	draw_curve_at_crosshair(
-	    t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
+	    t, area, row++, LOOK_BOLD, tr("PRED"), &p->product, &p->curve);
 	if (pin)
-		draw_curve_at_crosshair(t, area, row++, 0, "pinned",
+		draw_curve_at_crosshair(t, area, row++, 0, tr("pinned"),
 		    &t->session->pin->p.product, &t->session->pin->p.curve);
 	readout_draw_band(t, area, row);
 }

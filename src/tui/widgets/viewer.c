@@ -283,15 +283,16 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
 	struct viewer *v = &t->viewer;
 	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
 	key_action *act = key != NULL ? key->act : NULL;
-	int steps = act == act_move_list_or_slider ? abs(key->amount) : 0;
+	int steps = act == act_move_list_or_slider ? key->amount : 0;
+	int way = steps > 0 ? 1 : -1, rows = count_text_rows(t);
 	if (act == act_move_in_list)
 		viewer_scroll(t, key->amount);
-	else if (steps == STEP && !v->keys)
-		v->left += key->amount * (t->layout.body.columns + 1) / 2;
-	else if (steps == STEP && count_text_rows(t) < v->lines)
-		viewer_scroll(t, key->amount * count_text_rows(t));
-	else if (steps == FAR)
-		viewer_scroll(t, key->amount < 0 ? page : -page);
+	else if (abs(steps) == FAR)
+		viewer_scroll(t, -way * page);
+	else if (steps != 0 && !v->keys)
+		v->left += way * (t->layout.body.columns + 1) / 2;
+	else if (steps != 0)
+		viewer_scroll(t, rows < v->lines ? way * rows : 0);
 	else if (code == ' ')
 		viewer_scroll(t, page);
 	else if (act == act_move_to_end)
