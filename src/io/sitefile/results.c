@@ -63,18 +63,6 @@ is_sentence_on_trust(const char *text)
 	return false;
 }
 
-/* Answers as text or Markdown do not name their command, but say how far to
- * trust what they predict. */
-static char *
-command_of_answer_with_trust(const struct sheet *sheet)
-{
-	bool text = sheet->name[0] == '\0';
-	for (size_t i = 0; i < sheet->n_row && text; i++)
-		if (is_sentence_on_trust(sheet->row[i].cell[0].text))
-			return xstrdup("predict");
-	return NULL;
-}
-
 char *
 command_that_made_sheet(const struct sheet *sheet)
 {
@@ -82,7 +70,13 @@ command_that_made_sheet(const struct sheet *sheet)
 		     sheet->row[0].n > 1 && sheet->n_row > 1;
 	char *command = table ? first_word(sheet->row[1].cell[0].text)
 			      : command_on_about_sheet(sheet);
-	return command != NULL ? command : command_of_answer_with_trust(sheet);
+	/* Answers as text or Markdown do not name their command, but say how
+	 * far to trust what they predict. */
+	bool text = sheet->name[0] == '\0';
+	for (size_t i = 0; i < sheet->n_row && text && command == NULL; i++)
+		if (is_sentence_on_trust(sheet->row[i].cell[0].text))
+			command = xstrdup("predict");
+	return command;
 }
 
 /* Results as JSON begin with {"command":"predict". */

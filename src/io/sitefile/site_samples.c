@@ -135,18 +135,6 @@ move_column_of_rows(struct row *row, size_t n_row, size_t c, size_t n)
 	}
 }
 
-/* Keeps the days that the headings of all columns state. */
-static void
-set_day_of_each_column(struct table *t)
-{
-	char **day = xcalloc(t->n_col, sizeof(*day));
-	for (size_t c = 1; c < t->n_col; c++) {
-		char *own = site_day_of_sample(t, c);
-		day[c] = own != NULL ? layout_adopt_text(t, own) : NULL;
-	}
-	t->day = day;
-}
-
 /* Gives the columns new headings and drops those that the user did not name. */
 static void
 rename_and_keep_named_columns(const struct samples *columns, struct table *t)
@@ -154,7 +142,12 @@ rename_and_keep_named_columns(const struct samples *columns, struct table *t)
 	size_t n = 0;
 	struct row head = {.line = t->row[0].line};
 	head.cell = xcalloc(t->n_col, sizeof *head.cell);
-	set_day_of_each_column(t);
+	char **day = xcalloc(t->n_col, sizeof(*day));
+	for (size_t c = 1; c < t->n_col; c++) {
+		char *own = site_day_of_sample(t, c);
+		day[c] = own != NULL ? layout_adopt_text(t, own) : NULL;
+	}
+	t->day = day; /* those of the headings that are replaced */
 	for (size_t c = 0; c < t->n_col; c++) {
 		const struct sample *named =
 		    find_sample_of_column(columns, t->number[c]);

@@ -456,16 +456,6 @@ site_sieve_read_and_check(struct table *t)
 	site_sieve_check_order(t);
 }
 
-/* True if row i has the size of an earlier row. */
-static bool
-is_repeated_size(const double *mm, size_t i)
-{
-	size_t k = 0;
-	while (k < i && mm[k] != mm[i])
-		k++;
-	return k < i;
-}
-
 size_t
 site_sieve_rows_before_repeat(const struct table *t, size_t *again)
 {
@@ -480,7 +470,9 @@ site_sieve_rows_before_repeat(const struct table *t, size_t *again)
 		words = !size && words > i ? i : words;
 		mm[i] = size ? mm[i] : (double)NAN;
 		/* A size below all before it cannot be a repeat. */
-		bool twice = mm[i] >= least && is_repeated_size(mm, i);
+		bool twice = false;
+		for (size_t k = 0; k < i && mm[i] >= least; k++)
+			twice = twice || mm[k] == mm[i];
 		least = fmin(least, mm[i]);
 		in_a_row = twice ? in_a_row + 1 : 0;
 		*again = in_a_row == 1 ? i : *again;
