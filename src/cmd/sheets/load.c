@@ -37,8 +37,8 @@ struct load {
 	const char *digest;
 };
 
-/* Splits "cut1.csv@70" or "cut1.csv@1650rpm" into file and speed, below 0 if in
- * rpm, unless there is a file with that whole name. */
+/* Splits "cut1.csv@70", "cut1.csv@70m/s" or "cut1.csv@1650rpm" into file and
+ * speed, below 0 if in rpm, unless there is a file with that whole name. */
 static bool
 split_file_and_speed(
     const char *word, char **path, double *speed, struct error *error)
@@ -47,7 +47,7 @@ split_file_and_speed(
 	*speed = 0;
 	*path = xstrdup(word);
 	if (at == NULL || at == word || access(word, F_OK) == 0 ||
-	    strchr(at, '/') != NULL)
+	    (strchr(at, '/') != NULL && !text_ends_with(at, "m/s")))
 		return true;
 	struct head head = heading_parse(at);
 	char **copy = path;
