@@ -68,17 +68,20 @@ read_first_number_of_cell(
 	    number_reparse_cell_with_text(sheet, cell, copy), value);
 }
 
-/* Returns the rotor's diameter, mm, that a key and value state, or 0.  A number
- * below 10 is in m. */
+/* Returns the rotor's diameter, mm, that a key and value state, or 0, as for
+ * "Rotor radius | 450" or "3 ft".  A number below 10 is in m. */
 static double
 rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 {
-	uint64_t means = lexicon_text_meanings(key.text, NULL);
+	const uint64_t units = WORD_MM | WORD_INCH | WORD_M;
+	size_t other, odd;
+	uint64_t means = lexicon_text_meanings(key.text, &other);
 	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0)
 		return fmax(rotor_diameter_mm_in_text(value.text, true), 0);
-	means |= lexicon_text_meanings(value.text, NULL);
+	means |= lexicon_text_meanings(value.text, &odd);
 	double number;
-	if ((means & WORD_ROTOR) == 0 ||
+	if ((means & WORD_ROTOR) == 0 || other > 0 ||
+	    (odd > 0 && (means & units) == 0) ||
 	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
 	    !read_first_number_of_cell(sheet, value, &number))
 		return 0;
