@@ -247,17 +247,6 @@ samples_label_of_column(const struct table *t, size_t c)
 	return layout_column_heading_text(t, c);
 }
 
-/* True if a name is that of a column: its label, or a cell of its headings. */
-static bool
-is_name_of_column(
-    const struct table *t, size_t c, const char *label, const char *name)
-{
-	bool same = text_is_same_folded(label, name);
-	for (size_t r = 0; r < t->n_head && !same && t->name == NULL; r++)
-		same = text_is_same_folded(t->head[r].cell[c].text, name);
-	return same;
-}
-
 static void
 refuse_sample_against_heading(const struct column *c, const char *text)
 {
@@ -325,12 +314,18 @@ samples_is_sheet_named(const struct samples *s, const struct sheet *sheet)
 bool
 samples_apply_to_column(struct samples *s, struct column *c)
 {
-	FREED char *label = samples_label_of_column(c->table, c->at);
+	const struct table *t = c->table;
+	FREED char *label = samples_label_of_column(t, c->at);
 	for (size_t i = 0; i < s->n; i++) {
 		struct sample *one = &s->item[i];
-		if (!is_name_of_column(c->table, c->at, label, one->name) &&
-		    !text_is_same_folded(
-			samples_sheet_label(c->table->sheet), one->name))
+		bool same = text_is_same_folded(label, one->name) ||
+			    text_is_same_folded(
+				samples_sheet_label(t->sheet), one->name);
+		for (size_t r = 0; r < t->n_head && t->name == NULL; r++)
+			same =
+			    same || text_is_same_folded(
+					t->head[r].cell[c->at].text, one->name);
+		if (!same)
 			continue;
 		one->found = true;
 		apply_sample_option_text(c, one->text);

@@ -79,10 +79,14 @@ sieve_mm_of_row(struct table *t, struct cell cell)
 	}
 	if (kind == SIEVE_IS_SIZE && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM)
 		return mm;
-	if (isalpha((unsigned char)cell.text[0])) {
+	bool inches = strchr(cell.text, '/') != NULL &&
+		      sieve_mm_of_name(cell.text, SIEVE_INCH) > 0;
+	if (inches || isalpha((unsigned char)cell.text[0])) {
 		sheet_report_expected(t->sheet, cell, "a sieve size or pan",
-		    "remove sums and remarks from the table, or begin their "
-		    "line with #");
+		    "%s",
+		    inches ? tr("write inches, Tyler or BS into the heading")
+			   : tr("remove sums and remarks from the table, or "
+				"begin their line with #"));
 		return NAN;
 	}
 	return site_sieve_read_mm(t->sheet, cell,
