@@ -18,6 +18,19 @@
 #include "io/store/material.h"
 #include "io/sitefile/units.h"
 
+/* Adds the speeds of the runs: for programs in m/s, for people in the unit of
+ * the sheet.  unit: name the unit, because sheets differ. */
+static void
+add_cell_of_run_speeds(struct answer *r, const struct site *site, bool unit)
+{
+	FREED char *speeds = session_speeds_of_runs_text(site, " ", NULL, true);
+	FREED char *rpm = session_rpm_of_runs_text(site, " ", NULL, true);
+	FREED char *shown =
+	    xasprintf("%s%s%s", answers_is_sheet_in_rpm(site) ? rpm : speeds,
+		unit ? " " : "", unit ? answers_speed_unit(site) : "");
+	answer_add_keyed_cell(r, speeds, shown);
+}
+
 bool
 cmd_sites(struct session *s, const struct args *args, struct error *error)
 {
@@ -41,16 +54,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    entry->site->top_size > 0
 			? units_m_to_mm(entry->site->top_size)
 			: NAN);
-		/* For programs in m/s, for people as the sheet has them. */
-		FREED char *speeds =
-		    session_speeds_of_runs_text(entry->site, " ", NULL, true);
-		FREED char *rpm =
-		    session_rpm_of_runs_text(entry->site, " ", NULL, true);
-		FREED char *shown = xasprintf("%s%s%s",
-		    answers_is_sheet_in_rpm(entry->site) ? rpm : speeds,
-		    unit ? " " : "",
-		    unit ? answers_speed_unit(entry->site) : "");
-		answer_add_keyed_cell(r, speeds, shown);
+		add_cell_of_run_speeds(r, entry->site, unit);
 		answer_add_cells(r, "%s %s",
 		    entry->has_fit       ? tr("yes")
 		    : !entry->has_params ? tr("no")

@@ -646,7 +646,8 @@ note_all_unread_lines(struct reading *r)
 }
 
 /* Lists the sieves that have names in site->named: "#4 = 4.75, No. 8 = 2.36".
- * Tables with the same sieves list them once. */
+ * Tables with the same sieves list them once.  Notes that "# 4" below a number
+ * in mm, which may be a row that somebody removed, is taken for one. */
 static void
 note_mm_of_named_sieves(struct reading *r)
 {
@@ -654,10 +655,16 @@ note_mm_of_named_sieves(struct reading *r)
 	for (size_t k = 0; k < r->n_table; k++) {
 		const struct table *t = r->table[k];
 		FREED char *named = xstrdup("");
+		bool number = false; /* the sieve above */
 		for (size_t i = 0; i < t->n_row; i++) {
 			const char *text = t->row[i].cell[0].text;
 			double v;
 			bool bare = number_value_of_cell(t->row[i].cell[0], &v);
+			if (number && t->unit.mm > 0 &&
+			    strncmp(text, "# ", 2) == 0)
+				xappend_to_list(&r->site->assumed, "; ",
+				    tr("'%s' as a sieve, not a remark"), text);
+			number = bare;
 			if (t->mm[i] > 0 &&
 			    (sieve_series_of_name(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
