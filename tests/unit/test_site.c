@@ -160,6 +160,9 @@ static const struct {
 	"2=feed retained_g, 3=product@69 retained_g"},
     {"size_mm,feed,1350 rpm (63.6 m/s),1550 rpm (63 m/s)\n" ROWS, 1, 34,
 	"63.6 m/s at 1350 rpm and 63 m/s at 1550 rpm", "leave out the rpm"},
+    {"Sieve,feed,product@69\n1 1/2,100,100\n3/4 in,60,80\n3/8 in,40,60\n"
+     "No. 4,10,20\n",
+	2, 1, "sieve size or pan, got '1 1/2'", "write inches"},
     {"Quarry:,,A,B\n" TOP ROWS, 2, 14, "those of 'A' and 'B'", "3=product@69"},
     {"Crusher :,,1,2\nQuarry,,A,A\n" TOP ROWS, 3, 14, "those of '1' and '2'",
 	"3=product@69"},

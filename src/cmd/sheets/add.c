@@ -217,7 +217,8 @@ find_at_sign_of_speed(const char *word)
 	struct datetime m;
 	const char *at = strrchr(word, '@');
 	bool name = at == NULL || at == word || access(word, F_OK) == 0 ||
-		    (strchr(at, '/') != NULL && !datetime_parse(at + 1, &m));
+		    (strchr(at, '/') != NULL && !text_ends_with(at, "m/s") &&
+			!datetime_parse(at + 1, &m));
 	return name ? NULL : at;
 }
 

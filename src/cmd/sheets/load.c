@@ -37,8 +37,8 @@ struct load {
 	const char *digest;
 };
 
-/* Splits "cut1.csv@70" or "cut1.csv@1650rpm" into file and speed, below 0 if in
- * rpm, unless there is a file with that whole name. */
+/* Splits "cut1.csv@70", "cut1.csv@70m/s" or "cut1.csv@1650rpm" into file and
+ * speed, below 0 if in rpm, unless there is a file with that whole name. */
 static bool
 split_file_and_speed(
     const char *word, char **path, double *speed, struct error *error)
@@ -47,7 +47,7 @@ split_file_and_speed(
 	*speed = 0;
 	*path = xstrdup(word);
 	if (at == NULL || at == word || access(word, F_OK) == 0 ||
-	    strchr(at, '/') != NULL)
+	    (strchr(at, '/') != NULL && !text_ends_with(at, "m/s")))
 		return true;
 	struct head head = heading_parse(at);
 	char **copy = path;
@@ -174,18 +174,6 @@ copy_user_answers_to_request(
 	q->top = said->top > 0 ? said->top : q->top;
 }
 
-/* Asks the user what the files leave open.  Returns false if there is no user,
- * or the user gives up. */
-static bool
-ask_user_about_loaded_files(struct session *s, struct load *l,
-    const struct site_ask *ask, const struct error_list *errors)
-{
-	bool good = errors->n > 0 &&
-		    ask_open_questions(s, ask, &errors->item[0], &l->said);
-	copy_user_answers_to_request(&l->said, &l->request);
-	return good;
-}
-
 /* For products without a feed, hints at the line that adds them as cuts to the
  * site in use or, if no site is loaded, to a remembered one. */
 static void
@@ -222,9 +210,11 @@ read_site_or_ask_user(struct session *s, struct load *l, struct error *error)
 		    site_read_with_options(&l->request, &errors, &ask);
 		/* For feed= nothing is asked, because answers could not be
 		 * saved. */
-		bool again = site == NULL && round < MOST_ROUNDS &&
-			     !l->request.feed &&
-			     ask_user_about_loaded_files(s, l, &ask, &errors);
+		bool again =
+		    site == NULL && round < MOST_ROUNDS && !l->request.feed &&
+		    errors.n > 0 &&
+		    ask_open_questions(s, &ask, &errors.item[0], &l->said);
+		copy_user_answers_to_request(&l->said, &l->request);
 		bool cuts =
 		    ask.settle == NULL && ask.no_feed && !ask.no_product;
 		site_ask_clear(&ask);

@@ -283,26 +283,21 @@ parse_mend_options(const struct site *site, const struct args *args,
 	return true;
 }
 
-static bool
-show_proposed_mends(struct session *s)
-{
-	const struct entry *entry = session_current_site_entry(s);
-	struct answer *r = answer_new("mend");
-	struct outlier_findings d = mend_find_faults(s, entry);
-	mend_add_numbered_list(r, entry, &d);
-	if (d.n == 0)
-		answer_note(r, "no mend is proposed for %s", entry->key);
-	outliers_free(&d);
-	return session_show_answer(s, r);
-}
-
 bool
 cmd_mend(struct session *s, const struct args *args, struct error *error)
 {
 	struct mend mend = {.kind = MEND_READ};
 	const struct entry *entry = session_current_site_entry(s);
-	if (args->n_operand == 0)
-		return show_proposed_mends(s);
+	if (args->n_operand == 0) {
+		struct answer *r = answer_new("mend");
+		struct outlier_findings d = mend_find_faults(s, entry);
+		mend_add_numbered_list(r, entry, &d);
+		if (d.n == 0)
+			answer_note(
+			    r, "no mend is proposed for %s", entry->key);
+		outliers_free(&d);
+		return session_show_answer(s, r);
+	}
 	const char *word = args->operand[0];
 	bool number = word[strspn(word, "0123456789")] == '\0';
 	bool found = number && word[0] != '\0'

@@ -480,16 +480,6 @@ add_calibrated_sites_as_materials(struct session *s, const struct args *args,
 		   "no loaded site is calibrated\nrun 'calibrate all'");
 }
 
-/* Returns a name that the store does not have yet: "tierp-2". */
-static char *
-find_free_material_name(struct session *s, const char *name)
-{
-	char *other = xasprintf("%s-2", name);
-	for (size_t i = 3; store_has_material(s->store, other); i++)
-		xfree_and_set(&other, xasprintf("%s-%zu", name, i));
-	return other;
-}
-
 /* Describes what would replace a material.  old: the site with the material's
  * runs, or NULL if it has only parameters. */
 static char *
@@ -533,7 +523,9 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 	fit_record_clear(&b);
 	if (s->hooks.confirm(s, question, earlier))
 		return true;
-	FREED char *free_name = find_free_material_name(s, m->name);
+	FREED char *free_name = xasprintf("%s-2", m->name);
+	for (size_t i = 3; store_has_material(s->store, free_name); i++)
+		xfree_and_set(&free_name, xasprintf("%s-%zu", m->name, i));
 	FREED char *line = xstrdup("remember");
 	journal_append_quoted_word(&line, free_name);
 	return error_set(error, ERROR_USAGE,

@@ -618,16 +618,6 @@ print_csv_command_and_site(
 	}
 }
 
-static void
-print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
-{
-	if (cell->is_text)
-		text_write_csv_cell(
-		    cell->key != NULL ? cell->key : cell->text, separator, out);
-	else if (isfinite(cell->number))
-		text_write_csv_number(cell->number, separator, out);
-}
-
 /* Prints the fields that are repeated in each row, or their names. */
 static void
 print_csv_repeated_fields(
@@ -672,9 +662,16 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	for (size_t row = 0; row < rows; row++) {
 		print_csv_command_and_site(a, false, separator, out);
 		for (size_t c = 0; c < t->n_column; c++) {
+			const struct answer_cell *cell =
+			    &t->cell[row * t->n_column + c];
 			fputc(separator, out);
-			print_csv_cell(
-			    &t->cell[row * t->n_column + c], separator, out);
+			if (cell->is_text)
+				text_write_csv_cell(
+				    cell->key != NULL ? cell->key : cell->text,
+				    separator, out);
+			else if (isfinite(cell->number))
+				text_write_csv_number(
+				    cell->number, separator, out);
 		}
 		print_csv_repeated_fields(a, false, separator, out);
 		if (told) {
@@ -773,14 +770,6 @@ table_column_width(const struct table *t, size_t column)
 		width = w > width ? w : width;
 	}
 	return width;
-}
-
-static void
-print_padded_text(const char *text, int width, bool right, bool last, FILE *out)
-{
-	int pad = width - text_width_in_columns(text);
-	fprintf(out, "%*s%s%*s", right ? pad : 0, "", text,
-	    right || last ? 0 : pad, "");
 }
 
 static bool
@@ -918,7 +907,9 @@ answer_print_row(const struct table *t, const struct form *f, size_t row,
 			return;
 		}
 		bool last = c + 1 == block.to && between[1] != '|';
-		print_padded_text(text, f->width[c], f->number[c], last, out);
+		int pad = f->width[c] - text_width_in_columns(text);
+		fprintf(out, "%*s%s%*s", f->number[c] ? pad : 0, "", text,
+		    f->number[c] || last ? 0 : pad, "");
 		if (c + 1 < block.to)
 			fputs(between, out);
 	}
@@ -940,25 +931,15 @@ print_trimmed_row(const struct table *t, const struct form *f, size_t row,
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
 
-/* Returns false if a sentence is about a column that was left out. */
-static bool
-is_sentence_on_shown_column(
-    const struct table *t, const struct answer_sentence *said)
-{
-	bool shown = said->column == NULL;
-	for (size_t c = 0; c < t->n_column && !shown; c++)
-		shown = strcmp(t->key[c], said->column) == 0;
-	return shown;
-}
-
 static void
 copy_converted_sentences(char *(*way)(const char *), const struct answer *a,
     bool warnings, struct answer *copy)
 {
 	for (size_t i = 0; i < a->n_sentence; i++) {
 		const struct answer_sentence *said = &a->sentence[i];
-		if ((said->grade == ANSWER_WARNING) != warnings ||
-		    !is_sentence_on_shown_column(&copy->table[0], said))
+		bool shown = said->column == NULL ||
+			     table_has_column(&copy->table[0], said->column);
+		if ((said->grade == ANSWER_WARNING) != warnings || !shown)
 			continue;
 		FREED char *text = xasprintf("%s%s%s",
 		    !warnings                      ? ""

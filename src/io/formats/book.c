@@ -312,23 +312,12 @@ book_put_table(struct book *b, struct page *p, const struct answer_view *v)
 	p->row++;
 }
 
-/* Returns the format, in its colour, of a sentence such as "trust: amber: ..";
- * NULL for others. */
-static lxw_format *
-cell_format_of_trust_light(const struct book *b, const char *text)
-{
-	static const char *const LIGHTS[] = {
-	    "trust: green", "trust: amber", "trust: red"};
-	for (size_t i = 0; i < ARRAY_LEN(LIGHTS); i++)
-		if (strncmp(text, LIGHTS[i], strlen(LIGHTS[i])) == 0)
-			return b->light[i];
-	return NULL;
-}
-
 static void
 book_put_sentences(
     struct book *b, struct page *p, const struct answer_view *v, bool warnings)
 {
+	static const char *const LIGHTS[] = {
+	    "trust: green", "trust: amber", "trust: red"};
 	for (size_t i = 0; i < v->n_sentence; i++) {
 		const struct answer_sentence *said = &v->sentence[i];
 		bool warning = said->grade == ANSWER_WARNING;
@@ -336,11 +325,12 @@ book_put_sentences(
 			continue;
 		FREED char *text =
 		    xasprintf("%s%s", warning ? "warning: " : "", said->text);
-		lxw_format *light = cell_format_of_trust_light(b, said->text);
-		book_put_text(p, 0, text,
-		    light != NULL ? light
-		    : warning     ? b->warning
-				  : NULL);
+		lxw_format *format = warning ? b->warning : NULL;
+		for (size_t k = 0; k < ARRAY_LEN(LIGHTS); k++)
+			if (strncmp(said->text, LIGHTS[k], strlen(LIGHTS[k])) ==
+			    0)
+				format = b->light[k]; /* in its colour */
+		book_put_text(p, 0, text, format);
 		p->row++;
 	}
 }

@@ -42,21 +42,15 @@ rest_of_cell_as_cell(
 	return number_reparse_cell_with_text(r->sheet, cell, text_trim(from));
 }
 
-static bool
-check_stream_name(struct reading_circuit *r, struct cell cell)
-{
-	if (cell.text[0] != '\0' && strpbrk(cell.text, "+=") == NULL)
-		return true;
-	return sheet_report_expected(r->sheet, cell, "the name of a stream",
-	    "name streams as you like, without + and =");
-}
-
 static void
 add_stream_to_unit(
     struct reading_circuit *r, struct unit *unit, struct cell cell, bool made)
 {
-	if (!check_stream_name(r, cell))
+	if (cell.text[0] == '\0' || strpbrk(cell.text, "+=") != NULL) {
+		sheet_report_expected(r->sheet, cell, "the name of a stream",
+		    "name streams as you like, without + and =");
 		return;
+	}
 	size_t i = circuit_find_or_add_stream(r->circuit, cell.text);
 	struct cell *first = made ? &r->made[i] : &r->used[i];
 	size_t *n = made ? &unit->n_out : &unit->n_in;
@@ -408,18 +402,6 @@ check_paths_through_circuit(struct reading_circuit *r)
 		    c->stream[trapped]);
 }
 
-static void
-read_circuit_sheet(struct reading_circuit *r)
-{
-	for (size_t i = 0; i < r->sheet->n_row; i++)
-		parse_circuit_unit_row(r, &r->sheet->row[i]);
-	check_exactly_one_feed(r);
-	if (r->sheet->n_fault == 0)
-		check_streams_connected(r);
-	if (r->sheet->n_fault == 0)
-		check_paths_through_circuit(r);
-}
-
 struct circuit *
 circuit_file_read(
     const char *path, const struct site *site, struct error_list *errors)
@@ -432,7 +414,13 @@ circuit_file_read(
 		    .site = site,
 		    .made = xcalloc(STREAMS, sizeof *r.made),
 		    .used = xcalloc(STREAMS, sizeof *r.used)};
-		read_circuit_sheet(&r);
+		for (size_t i = 0; i < r.sheet->n_row; i++)
+			parse_circuit_unit_row(&r, &r.sheet->row[i]);
+		check_exactly_one_feed(&r);
+		if (r.sheet->n_fault == 0)
+			check_streams_connected(&r);
+		if (r.sheet->n_fault == 0)
+			check_paths_through_circuit(&r);
 		free(r.made);
 		free(r.used);
 		circuit = r.circuit;

@@ -113,16 +113,6 @@ read_next_line(struct reading *r)
 	return true;
 }
 
-/* Returns the end of a word and of a unit in brackets after it, as in
- * "velocity (m/s)". */
-static char *
-end_of_word_with_unit(char *begin)
-{
-	char *end = begin + strcspn(begin, " \t");
-	char *unit = end + strspn(end, " \t");
-	return *unit == '(' || *unit == '[' ? unit + strcspn(unit, " \t") : end;
-}
-
 /* Returns the field at *s, which it ends with a NUL, and moves *s past it; NULL
  * after the last. */
 static char *
@@ -135,7 +125,11 @@ next_field_of_line(const struct reading *r, char **s)
 		begin += strspn(begin, " \t");
 		if (*begin == '\0')
 			return NULL;
-		*s = end_of_word_with_unit(begin);
+		/* "velocity (m/s)" is one word. */
+		char *end = begin + strcspn(begin, " \t");
+		char *unit = end + strspn(end, " \t");
+		*s = *unit == '(' || *unit == '[' ? unit + strcspn(unit, " \t")
+						  : end;
 	} else {
 		bool quoted = *begin == '"';
 		char *end = quoted ? strchr(begin + 1, '"') : begin;

@@ -101,20 +101,6 @@ standards_add_envelope(struct standards *all, const char *standard,
 	return spec;
 }
 
-/* Adds what a row's source says in addition to that of the envelope's first
- * row, with its sieve: "0.15 mm: crushed stone sand: up to 20". */
-static void
-append_row_source_to_spec(struct spec *spec, const char *source, double mm)
-{
-	size_t n = strcspn(spec->source, ";");
-	size_t more = strlen(source);
-	if (strncmp(spec->source, source, n) != 0 || more < n + 4 ||
-	    source[n + 1] != '(')
-		return;
-	xappend_to_list(&spec->source, "; ", "%g mm: %.*s", mm,
-	    (int)(more - n - 3), source + n + 2);
-}
-
 static void
 read_envelope_row(
     struct standards *all, struct sheet *sheet, const struct row *row)
@@ -132,7 +118,13 @@ read_envelope_row(
 	insert_envelope_sieve_limits(spec, mm / 1000,
 	    read_limit_cell(sheet, row, LEAST) / 100,
 	    read_limit_cell(sheet, row, MOST) / 100);
-	append_row_source_to_spec(spec, source, mm);
+	/* What the source says in addition to that of the envelope's first
+	 * row, with its sieve: "0.15 mm: crushed stone sand: up to 20". */
+	size_t n = strcspn(spec->source, ";"), more = strlen(source);
+	if (strncmp(spec->source, source, n) == 0 && more >= n + 4 &&
+	    source[n + 1] == '(')
+		xappend_to_list(&spec->source, "; ", "%g mm: %.*s", mm,
+		    (int)(more - n - 3), source + n + 2);
 }
 
 static void

@@ -117,14 +117,6 @@ has_only_comments_between(
 	return next - line - 1 <= comments;
 }
 
-static bool
-is_cell_in_range(struct cell_range box, int line, size_t column)
-{
-	return box.bottom == 0 ||
-	       (line >= box.top && line <= box.bottom &&
-		   (int)column >= box.left && (int)column <= box.right);
-}
-
 /* True if a cell can head a column of sieves: it has a word for size or sieve,
  * or only a unit of size, and no word for something else. */
 static bool
@@ -254,6 +246,7 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 	struct sheet_grid g = {
 	    .sheet = sheet, .n_row = sheet->n_row, .right = 1};
 	size_t comment = 0;
+	const struct cell_range box = range.box;
 	for (size_t r = 0; r < g.n_row; r++)
 		g.n_col = sheet->row[r].n > g.n_col ? sheet->row[r].n : g.n_col;
 	g.down = g.n_col;
@@ -267,7 +260,9 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 					row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = row_cell_at(row, c);
-			if (!is_cell_in_range(range.box, row->line, c + 1))
+			if (box.bottom > 0 &&
+			    (row->line < box.top || row->line > box.bottom ||
+				(int)c + 1 < box.left || (int)c >= box.right))
 				cell = row_cell_at(row, row->n_all);
 			cut_cell_to_one_sieve_name(sheet, &cell);
 			*cell_at(&g, r, c) = cell;
@@ -276,25 +271,20 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 	return g;
 }
 
-/* True for "Out" and "Ut 70 m/s". */
-static bool
-begins_with_out(const char *text)
-{
-	size_t n = strcspn(text, " ");
-	return (n == 3 && strncasecmp(text, "out", n) == 0) ||
-	       (n == 2 && strncasecmp(text, "ut", n) == 0);
-}
-
-/* Changes "In" to "feed" if there is an "Out" beside it; otherwise it means
- * inch. */
+/* Changes "In" to "feed" if there is an "Out", or "Ut 70 m/s", beside it;
+ * otherwise it means inch. */
 static void
 mark_in_beside_out_as_feed(struct sheet_grid *g)
 {
 	static char feed[] = "feed";
 	for (size_t r = 0; r < g->n_row; r++) {
 		bool out = false;
-		for (size_t c = 0; c < g->n_col; c++)
-			out = out || begins_with_out(cell_at(g, r, c)->text);
+		for (size_t c = 0; c < g->n_col && !out; c++) {
+			const char *text = cell_at(g, r, c)->text;
+			size_t n = strcspn(text, " ");
+			out = (n == 3 && strncasecmp(text, "out", n) == 0) ||
+			      (n == 2 && strncasecmp(text, "ut", n) == 0);
+		}
 		for (size_t c = 0; c < g->n_col && out; c++)
 			if (strcasecmp(cell_at(g, r, c)->text, "in") == 0)
 				cell_at(g, r, c)->text = feed;
@@ -997,16 +987,6 @@ is_heading_of_all_columns(
 	return g->across && (n->means & all) != 0 && n->unknown == 0;
 }
 
-/* True if row r, "Quarry,,A,B", names the site or machine of each product: it
- * has several names, and none above the feed. */
-static bool
-is_name_for_each_product(
-    const struct sheet_grid *g, size_t r, const struct place *p, size_t filled)
-{
-	return filled > 1 && !is_cell_filled(g, r, p->c + 1) &&
-	       lexicon_is_label_of_sites(cell_at(g, r, p->c)->text);
-}
-
 /* True if row r, above the heading of the sieves, is a heading too: it
  * describes the columns, and is neither a key with its value nor a title. */
 static bool
@@ -1023,10 +1003,12 @@ is_further_heading_row(
 	if (filled == 2 && is_unit_after_value(g, r, p->c + 2))
 		return false;
 	const char *key = cell_at(g, r, p->c)->text;
-	/* "Rock:,,granite,gneiss" describes the columns, too. */
+	/* "Quarry,,A,B" describes the columns, as none is above the feed; so
+	 * does "Rock:,,granite,gneiss". */
 	if (!g->across && lexicon_site_key_of_text(key) != N_KEY)
-		return is_name_for_each_product(g, r, p, filled) ||
-		       (filled > 1 && text_ends_with(key, ":"));
+		return filled > 1 && ((lexicon_is_label_of_sites(key) &&
+					  !is_cell_filled(g, r, p->c + 1)) ||
+					 text_ends_with(key, ":"));
 	/* The command add writes a line such as cut, "72 m/s, 2026-05-04". */
 	if (strcmp(key, "cut") == 0 && filled == 1 &&
 	    strstr(cell_at(g, r, p->c + 1)->text, ", ") != NULL)

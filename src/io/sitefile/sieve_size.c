@@ -177,15 +177,6 @@ nearest_sieve_opening(double mm, double share)
 	return nearest;
 }
 
-/* Returns the standard opening near a size in inches, because decimal inches
- * are rounded metric openings (0.0469 is 1.18 mm); else the size itself, mm. */
-static double
-sieve_mm_of_inches(double inches)
-{
-	double mm = 25.4 * inches, nearest = nearest_sieve_opening(mm, 0.015);
-	return isnan(nearest) ? mm : nearest;
-}
-
 enum sieve_series
 sieve_series_of_name(const char *text)
 {
@@ -214,9 +205,11 @@ sieve_mm_of_name(const char *text, enum sieve_series head)
 		series = inches ? SIEVE_INCH : head;
 	}
 	double mm = sieve_opening_of_number(series, value);
-	return series == SIEVE_INCH && bare && isnan(mm)
-		   ? sieve_mm_of_inches(value)
-		   : mm;
+	if (series != SIEVE_INCH || !bare || !isnan(mm))
+		return mm;
+	/* Decimal inches are rounded openings: 0.0469 is 1.18 mm. */
+	mm = nearest_sieve_opening(25.4 * value, 0.015);
+	return isnan(mm) ? 25.4 * value : mm;
 }
 
 bool

@@ -687,23 +687,20 @@ ask_about_unclear_column(const struct site_request *q,
 	bool known = first->speed > 0 || first->rpm > 0;
 	if (q->n > 1 && !known && !q->parts)
 		hint_speed_for_each_file(q, all, error);
+	else if (q->n > 1 && first->role == PRODUCT && known) {
+		/* columns= would be about all files, samples= adds nothing */
+		FREED char *words = classify_describe_column(first);
+		error_set_hint(error,
+		    "its numbers seem to be '%s': write that "
+		    "into its heading",
+		    strchr(words, ' ') + 1);
+	}
 	if (q->parts && speed && q->n == 1 && all->n == 1)
 		error_set_hint(error,
 		    "give its speed: add %s@SPEED, or with a log its time: add "
 		    "%s@2026-05-03T10:15",
 		    q->path[0], q->path[0]);
 	return true;
-}
-
-static bool
-ask_decimal_sign(const struct open *open, const struct site_request *q,
-    const struct table *t, struct site_ask *ask)
-{
-	ask->settle = xstrdup("decimal=point|comma");
-	return report_question_as_fault(q, t, open->number, ask,
-	    tr("expected a number that can be read in one way, got %s: a "
-	       "decimal sign, or thousands?"),
-	    open->number.text);
 }
 
 static bool
@@ -740,8 +737,13 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)
 			first = &all->column[i];
-	if (open->number.text != NULL)
-		return ask_decimal_sign(open, q, table[0], ask);
+	if (open->number.text != NULL) {
+		ask->settle = xstrdup("decimal=point|comma");
+		return report_question_as_fault(q, table[0], open->number, ask,
+		    tr("expected a number that can be read in one way, got %s: "
+		       "a decimal sign, or thousands?"),
+		    open->number.text);
+	}
 	if (open->rotor)
 		return ask_rotor_diameter(&open->stated, q, table[0], ask);
 	if (second != NULL)

@@ -30,18 +30,6 @@ numbers_to_ranges_text(const size_t *number, size_t n)
 	return text;
 }
 
-/* Appends "product@69" or, after another product, only "@79". */
-static void
-append_role_and_speed_text(
-    char **text, const struct column *c, const struct column *before)
-{
-	FREED char *words = classify_describe_column(c);
-	words[strcspn(words, " ")] = '\0';
-	const char *at = strchr(words, '@');
-	bool again = before != NULL && before->role == c->role && at != NULL;
-	xappend_to_list(text, ", ", "%s", again ? at : words);
-}
-
 static void
 append_number_unless_repeated(size_t *number, size_t *n, size_t next)
 {
@@ -78,7 +66,12 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		}
 		if (c == NULL)
 			break;
-		append_role_and_speed_text(&roles, c, before);
+		FREED char *words = classify_describe_column(c);
+		words[strcspn(words, " ")] = '\0';
+		const char *at = strchr(words, '@');
+		bool again =
+		    before != NULL && before->role == c->role && at != NULL;
+		xappend_to_list(&roles, ", ", "%s", again ? at : words);
 		append_number_unless_repeated(number, &n, t->number[c->at]);
 		before = c;
 	}
@@ -129,13 +122,6 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	return text;
 }
 
-static bool
-has_assumption_note(const struct column *c, const char *note)
-{
-	FREED char *line = xasprintf("\n%s\n", note);
-	return c->assumed != NULL && strstr(c->assumed, line) != NULL;
-}
-
 /* Appends a note of column i with all columns that have it, unless an earlier
  * column has it, so that it has been appended already. */
 static void
@@ -143,11 +129,12 @@ append_assumption_once(
     const struct columns *all, size_t i, const char *note, char **text)
 {
 	FREED size_t *number = xcalloc(all->n + 1, sizeof *number);
+	FREED char *line = xasprintf("\n%s\n", note);
 	size_t n = 0, has = 0, samples = 0;
 	for (size_t k = 0; k < all->n; k++) {
 		const struct column *c = &all->column[k];
 		samples += c->twin == 0;
-		if (!has_assumption_note(c, note))
+		if (c->assumed == NULL || strstr(c->assumed, line) == NULL)
 			continue;
 		if (k < i)
 			return;

@@ -68,15 +68,16 @@ read_first_number_of_cell(
 	    number_reparse_cell_with_text(sheet, cell, copy), value);
 }
 
-/* Returns the rotor's diameter, mm, that a key and value state, or 0 if the key
- * is about something else of the rotor, such as its type, hours or mass.  A
- * number below 10 is in m. */
+/* Returns the rotor's diameter, mm, that a key and value state, or 0 if they are
+ * about something else of the rotor, such as its type, hours, radius or mass,
+ * or in feet.  A number below 10 is in m. */
 static double
 rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 {
-	const uint64_t fit = WORD_ROTOR | WORD_SIZE | WORD_MM | WORD_M |
-			     WORD_INCH | WORD_FILLER | WORD_MACHINE;
-	size_t unknown = 0;
+	const uint64_t units = WORD_MM | WORD_INCH | WORD_M;
+	const uint64_t fit =
+	    units | WORD_ROTOR | WORD_SIZE | WORD_FILLER | WORD_MACHINE;
+	size_t unknown = 0, odd = 0;
 	uint64_t means = lexicon_text_meanings(key.text, &unknown);
 	if ((means & ~fit) != 0 || (means & WORD_ROTOR) == 0 ||
 	    (unknown > 0 && (means & WORD_SIZE) == 0))
@@ -84,9 +85,10 @@ rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 			   ? 0
 			   : fmax(rotor_diameter_mm_in_text(value.text, true),
 				 0);
-	means |= lexicon_text_meanings(value.text, NULL);
+	means |= lexicon_text_meanings(value.text, &odd);
 	double number;
-	if ((means & (WORD_SPEED | WORD_RPM)) != 0 ||
+	if ((odd > 0 && (means & units) == 0) ||
+	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
 	    !read_first_number_of_cell(sheet, value, &number))
 		return 0;
 	double mm = number * (number < 10 ? 1000 : 1);

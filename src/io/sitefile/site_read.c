@@ -608,17 +608,6 @@ note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 	return n;
 }
 
-static void
-note_lines_outside_tables(struct reading *r, const struct page *page)
-{
-	const struct layout *layout = page->layout;
-	note_left_out_sums(r, page);
-	for (size_t i = 0, n; i < layout->n_heading; i += n)
-		n = is_line_already_read(r, layout, i)
-			? 1
-			: note_left_out_lines(r, layout, i);
-}
-
 /* Notes what is in the tables or below them and was not read.  A comment may be
  * a sieve that the user has excluded with #. */
 static void
@@ -640,7 +629,11 @@ note_all_unread_lines(struct reading *r)
 			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
-		note_lines_outside_tables(r, page);
+		note_left_out_sums(r, page);
+		for (size_t i = 0, n; i < page->layout->n_heading; i += n)
+			n = is_line_already_read(r, page->layout, i)
+				? 1
+				: note_left_out_lines(r, page->layout, i);
 		const struct cell *beside = &page->layout->beside;
 		if (beside->text != NULL)
 			leave_out(r->site, beside->line,
@@ -654,7 +647,8 @@ note_all_unread_lines(struct reading *r)
 }
 
 /* Lists the sieves that have names in site->named: "#4 = 4.75, No. 8 = 2.36".
- * Tables with the same sieves list them once. */
+ * Tables with the same sieves list them once.  Notes that "# 4" below a number
+ * in mm, which may be a row that somebody removed, is taken for one. */
 static void
 note_mm_of_named_sieves(struct reading *r)
 {
@@ -662,10 +656,16 @@ note_mm_of_named_sieves(struct reading *r)
 	for (size_t k = 0; k < r->n_table; k++) {
 		const struct table *t = r->table[k];
 		FREED char *named = xstrdup("");
+		bool number = false; /* the sieve above */
 		for (size_t i = 0; i < t->n_row; i++) {
 			const char *text = t->row[i].cell[0].text;
 			double v;
 			bool bare = number_value_of_cell(t->row[i].cell[0], &v);
+			if (number && t->unit.mm > 0 &&
+			    strncmp(text, "# ", 2) == 0)
+				xappend_to_list(&r->site->assumed, "; ",
+				    tr("'%s' as a sieve, not a remark"), text);
+			number = bare;
 			if (t->mm[i] > 0 &&
 			    (sieve_series_of_name(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
@@ -749,16 +749,6 @@ check_speed_given_for_file(const struct columns *all, size_t i, double given)
 	}
 }
 
-/* Takes a speed given for a file instead of that of the sheet; the rotor is
- * needed to compare one in rpm with those of the columns. */
-static void
-take_given_speed(struct reading *r, double given, struct surroundings *near)
-{
-	near->speed = fmax(given, 0);
-	near->rpm = fmax(-given, 0);
-	r->open.rotor = r->open.rotor || (given < 0 && near->rotor == 0);
-}
-
 /* Returns the rotor's diameter, m, or 0: the sheet's or, for cuts, that of
  * their site. */
 static double
@@ -789,29 +779,30 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	near.rpm = told.differ ? 0 : told.rpm;
 	near.context = title_read_role_and_speed(
 	    page->layout, t, q->path[page->file], &near);
-	/* "Specification" or "VSI 2" above a later table of the sheet may mean
-	 * that it is another site's. */
+	/* "VSI 2" above a later table may mean that it is another site's. */
 	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
 		r->open.other = t;
-	if (given != 0)
-		take_given_speed(r, given, &near);
+	if (given != 0) { /* instead of that of the sheet */
+		near.speed = fmax(given, 0);
+		near.rpm = fmax(-given, 0);
+		r->open.rotor |= given < 0 && near.rotor == 0;
+	}
 	bool named = read_speed_from_file_name(q, q->path[page->file], &near);
 	uint64_t sieve = samples_set_column_headings(&r->columns, t);
 	if (!layout_long_to_wide(t, sieve)) {
 		r->lost = true;
 		return;
 	}
-	enum sieve_certainty certainty =
-	    site_sieve_find_unit_and_sort(t, sieve);
+	enum sieve_certainty how = site_sieve_find_unit_and_sort(t, sieve);
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
 	if (detect_sieves_listed_twice(r, t))
 		return;
 	site_sieve_read_and_check(t);
-	t->unit_open = certainty == SIEVES_OPEN;
-	if (certainty == SIEVES_ASSUMED)
+	t->unit_open = how == SIEVES_OPEN;
+	if (how == SIEVES_ASSUMED)
 		xappend_to_list(&r->site->assumed, "; ", tr("sieves in %s"),
 		    site_sieve_unit_text(t));
 	r->lost = r->lost || t->lost;
@@ -914,18 +905,6 @@ read_site_file(struct reading *r, size_t file)
 			     "sheets\nleave out sheet="),
 		    q->sheet != NULL ? q->sheet : tr("(any)"), names);
 	return found;
-}
-
-/* True if any page has a table; pages without one are ignored. */
-static bool
-check_sieve_table_found(struct reading *r)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < r->n_page; i++)
-		n += r->page[i].layout->n;
-	if (n == 0 && !r->lost)
-		report_missing_table(r->page[0].sheet);
-	return n > 0;
 }
 
 /* Takes the rotor's diameter from the options, else from a key, else from
@@ -1320,17 +1299,6 @@ set_provenance_from_days(struct reading *r)
 	    xasprintf("sheet of %s", days != NULL ? days : day);
 }
 
-/* True if the user gave information that the files may not contain. */
-static bool
-did_user_supply_information(const struct site_request *q)
-{
-	bool told = q->columns != NULL || q->samples != NULL || q->rotor > 0 ||
-		    q->decimal != '\0';
-	for (size_t i = 0; i < q->n && q->speed != NULL; i++)
-		told = told || q->speed[i] != 0;
-	return told;
-}
-
 static struct site *
 finish_site_reading(struct reading *r)
 {
@@ -1345,7 +1313,10 @@ finish_site_reading(struct reading *r)
 		free(r->site->name);
 		r->site->name = site_heading_name_from_path(q->path[0]);
 	}
-	r->site->told = did_user_supply_information(q);
+	r->site->told = q->columns != NULL || q->samples != NULL ||
+			q->rotor > 0 || q->decimal != '\0';
+	for (size_t i = 0; i < q->n && q->speed != NULL; i++)
+		r->site->told = r->site->told || q->speed[i] != 0;
 	note_speeds_from_rpm(r);
 	note_differing_rotors(r);
 	make_runs_of_site(r->site, &r->all);
@@ -1383,13 +1354,19 @@ clear_site_reading(struct reading *r)
 	site_free(r->site);
 }
 
+/* Returns false if no page has a table; those without one are ignored. */
 static bool
 read_site_files(struct reading *r)
 {
+	size_t n = 0;
 	for (size_t i = 0; i < r->request->n; i++)
 		if (!read_site_file(r, i) || error_is_stop_requested(r->errors))
 			return false;
-	return check_sieve_table_found(r);
+	for (size_t i = 0; i < r->n_page; i++)
+		n += r->page[i].layout->n;
+	if (n == 0 && !r->lost)
+		report_missing_table(r->page[0].sheet);
+	return n > 0;
 }
 
 struct site *

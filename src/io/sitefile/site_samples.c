@@ -134,18 +134,6 @@ move_column_of_rows(struct row *row, size_t n_row, size_t c, size_t n)
 	}
 }
 
-/* Keeps the days that the headings of all columns state. */
-static void
-set_day_of_each_column(struct table *t)
-{
-	char **day = xcalloc(t->n_col, sizeof(*day));
-	for (size_t c = 1; c < t->n_col; c++) {
-		char *own = site_day_of_sample(t, c);
-		day[c] = own != NULL ? layout_adopt_text(t, own) : NULL;
-	}
-	t->day = day;
-}
-
 /* Gives the columns new headings and drops those that the user did not name. */
 static void
 rename_and_keep_named_columns(struct samples *columns, struct table *t)
@@ -153,7 +141,12 @@ rename_and_keep_named_columns(struct samples *columns, struct table *t)
 	size_t n = 0;
 	struct row head = {.line = t->row[0].line};
 	head.cell = xcalloc(t->n_col, sizeof *head.cell);
-	set_day_of_each_column(t);
+	char **day = xcalloc(t->n_col, sizeof(*day));
+	for (size_t c = 1; c < t->n_col; c++) {
+		char *own = site_day_of_sample(t, c);
+		day[c] = own != NULL ? layout_adopt_text(t, own) : NULL;
+	}
+	t->day = day; /* those of the headings that are replaced */
 	for (size_t c = 0; c < t->n_col; c++) {
 		const struct sample *named =
 		    find_sample_of_column(columns, t->number[c]);
@@ -253,17 +246,6 @@ samples_label_of_column(const struct table *t, size_t c)
 	return layout_column_heading_text(t, c);
 }
 
-/* True if a name is that of a column: its label, or a cell of its headings. */
-static bool
-is_name_of_column(
-    const struct table *t, size_t c, const char *label, const char *name)
-{
-	bool same = text_is_same_folded(label, name);
-	for (size_t r = 0; r < t->n_head && !same && t->name == NULL; r++)
-		same = text_is_same_folded(t->head[r].cell[c].text, name);
-	return same;
-}
-
 static void
 refuse_sample_against_heading(const struct column *c, const char *text)
 {
@@ -331,12 +313,18 @@ samples_is_sheet_named(const struct samples *s, const struct sheet *sheet)
 bool
 samples_apply_to_column(struct samples *s, struct column *c)
 {
-	FREED char *label = samples_label_of_column(c->table, c->at);
+	const struct table *t = c->table;
+	FREED char *label = samples_label_of_column(t, c->at);
 	for (size_t i = 0; i < s->n; i++) {
 		struct sample *one = &s->item[i];
-		if (!is_name_of_column(c->table, c->at, label, one->name) &&
-		    !text_is_same_folded(
-			samples_sheet_label(c->table->sheet), one->name))
+		bool same = text_is_same_folded(label, one->name) ||
+			    text_is_same_folded(
+				samples_sheet_label(t->sheet), one->name);
+		for (size_t r = 0; r < t->n_head && t->name == NULL; r++)
+			same =
+			    same || text_is_same_folded(
+					t->head[r].cell[c->at].text, one->name);
+		if (!same)
 			continue;
 		one->found = true;
 		apply_sample_option_text(c, one->text);
@@ -356,7 +344,8 @@ samples_report_missing(const struct samples *s, const struct table *t)
 		return;
 	if (s->item[i].number > 0) {
 		sheet_report_fault(t->sheet, t->row[0].cell[0],
-		    "expected a column with numbers in columns=, got %s\n"
+		    "expected columns with numbers in columns=, each once, got "
+		    "%s\n"
 		    "columns are counted from the left, empty ones too",
 		    s->item[i].name);
 		return;

@@ -79,10 +79,14 @@ sieve_mm_of_row(struct table *t, struct cell cell)
 	}
 	if (kind == SIEVE_IS_SIZE && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM)
 		return mm;
-	if (isalpha((unsigned char)cell.text[0])) {
+	bool inches = strchr(cell.text, '/') != NULL &&
+		      sieve_mm_of_name(cell.text, SIEVE_INCH) > 0;
+	if (inches || isalpha((unsigned char)cell.text[0])) {
 		sheet_report_expected(t->sheet, cell, "a sieve size or pan",
-		    "remove sums and remarks from the table, or begin their "
-		    "line with #");
+		    "%s",
+		    inches ? tr("write inches, Tyler or BS into the heading")
+			   : tr("remove sums and remarks from the table, or "
+				"begin their line with #"));
 		return NAN;
 	}
 	return site_sieve_read_mm(t->sheet, cell,
@@ -456,16 +460,6 @@ site_sieve_read_and_check(struct table *t)
 	site_sieve_check_order(t);
 }
 
-/* True if row i has the size of an earlier row. */
-static bool
-is_repeated_size(const double *mm, size_t i)
-{
-	size_t k = 0;
-	while (k < i && mm[k] != mm[i])
-		k++;
-	return k < i;
-}
-
 size_t
 site_sieve_rows_before_repeat(const struct table *t, size_t *again)
 {
@@ -480,7 +474,9 @@ site_sieve_rows_before_repeat(const struct table *t, size_t *again)
 		words = !size && words > i ? i : words;
 		mm[i] = size ? mm[i] : (double)NAN;
 		/* A size below all before it cannot be a repeat. */
-		bool twice = mm[i] >= least && is_repeated_size(mm, i);
+		bool twice = false;
+		for (size_t k = 0; k < i && mm[i] >= least; k++)
+			twice = twice || mm[k] == mm[i];
 		least = fmin(least, mm[i]);
 		in_a_row = twice ? in_a_row + 1 : 0;
 		*again = in_a_row == 1 ? i : *again;

@@ -60,29 +60,21 @@ write_key_and_value(const char *key, const char *value, FILE *out)
 	fputc('\n', out);
 }
 
-/* Returns the runs whose feed was not sampled, "72, 74 (2)", or "". */
-static char *
-list_runs_lacking_feed(const struct site *site)
-{
-	char *list = xstrdup(""), speed[32];
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].lacks_feed)
-			xappend_to_list(&list, ", ", "%s%s",
-			    text_shortest_exact_number(
-				site->run[r].speed, speed),
-			    site->run[r].repeat);
-	return list;
-}
-
 static void
 write_site_keys_above_table(const struct site *site, FILE *out)
 {
-	char top[32] = "", rotor[32] = "";
+	char top[32] = "", rotor[32] = "", speed[32];
 	if (site->top_size > 0)
 		text_shortest_exact_number(units_m_to_mm(site->top_size), top);
 	if (site->rotor > 0)
 		text_shortest_exact_number(units_m_to_mm(site->rotor), rotor);
-	FREED char *lacking = list_runs_lacking_feed(site);
+	FREED char *lacking = xstrdup("");
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].lacks_feed)
+			xappend_to_list(&lacking, ", ", "%s%s",
+			    text_shortest_exact_number(
+				site->run[r].speed, speed),
+			    site->run[r].repeat);
 	const char *const line[][2] = {{"site", site->name},
 	    {"rock", site->rock}, {"top_size_mm", top},
 	    {"machine", site->machine}, {"rotor_mm", rotor},
@@ -96,23 +88,15 @@ write_site_keys_above_table(const struct site *site, FILE *out)
 		    site->note[i].key, site->note[i].value, out);
 }
 
-/* True if each run gets a feed column of its own: the site has individual
- * feeds, or a run has only a feed, whose speed no other column would state. */
-static bool
-has_feed_per_run(const struct site *site)
-{
-	bool own = site->individual_feeds;
-	for (size_t r = 0; r < site->n_run; r++)
-		own = own || site->run[r].product.n == 0;
-	return own;
-}
-
 /* Lists the columns after that of the sizes in order, and their number.  The
  * caller frees the list. */
 static struct curve *
 list_curves_to_write(const struct site *site, size_t *columns)
 {
-	bool own = has_feed_per_run(site);
+	/* A run may have only a feed, whose speed no other column states. */
+	bool own = site->individual_feeds;
+	for (size_t r = 0; r < site->n_run; r++)
+		own = own || site->run[r].product.n == 0;
 	struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -133,19 +117,6 @@ list_curves_to_write(const struct site *site, size_t *columns)
 	}
 	*columns = n;
 	return curve;
-}
-
-/* Returns the coarsest sieve, mm, that is not yet written, or 0. */
-static double
-coarsest_unwritten_sieve(const struct curve *curve, size_t n)
-{
-	double mm = 0;
-	for (size_t i = 0; i < n; i++) {
-		const struct curve *c = &curve[i];
-		if (c->next < c->psd->n)
-			mm = fmax(mm, units_m_to_mm(c->psd->size[c->next]));
-	}
-	return mm;
 }
 
 static void
@@ -188,10 +159,17 @@ site_write(const struct site *site, FILE *out)
 				 : "");
 	}
 	fputc('\n', out);
-	size_t rows = 0;
-	for (double mm; (mm = coarsest_unwritten_sieve(curve, n)) > 0; rows++)
+	for (size_t rows = 0;; rows++) {
+		double mm = 0; /* the coarsest sieve that is not yet written */
+		for (size_t i = 0; i < n; i++)
+			if (curve[i].next < curve[i].psd->n)
+				mm = fmax(
+				    mm, units_m_to_mm(
+					    curve[i].psd->size[curve[i].next]));
+		if (!(mm > 0))
+			return rows;
 		write_sieve_row(curve, n, mm, out);
-	return rows;
+	}
 }
 
 bool
