@@ -386,9 +386,8 @@ handle_reply_to_offer(struct session *s, const char *typed, int *number)
 	bool again = reply == REPLY_EMPTY && prompt.declined && !offered;
 	const bool answers = reply == REPLY_YES || reply == REPLY_NO;
 	if (prompt.before[0] == '\0' && answers && !offered) {
-		session_print_note(s,
-		    "nothing has been asked: type a command, or "
-		    "'help'");
+		session_print_note(
+		    s, "nothing has been asked: type a command, or 'help'");
 		return true;
 	}
 	if (prompt.before[0] != '\0' ||

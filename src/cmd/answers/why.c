@@ -79,8 +79,7 @@ note_what_breaks(const struct explained *a)
 		answer_note(a->answer,
 		    "At %.4g m/s%s an impact has %.0f J/kg, which breaks "
 		    "particles of %.3g mm or more; %.0f %% of the feed is that "
-		    "coarse, "
-		    "and %.0f %% of the feed breaks",
+		    "coarse, and %.0f %% of the feed breaks",
 		    p->speed, a->rpm, p->energy, 1000 * p->break_size,
 		    100 * can, 100 * does);
 }

@@ -69,8 +69,7 @@ answers_require_params(
 		     "set'")
 		: tr("run 'guess' for an estimate, or 'params use SITE' for "
 		     "another site's parameters: there is no product to "
-		     "calibrate "
-		     "on"));
+		     "calibrate on"));
 }
 
 bool

@@ -336,8 +336,7 @@ envelope_missed_limits_text(const struct grading *g)
 	if (out > 0)
 		xappend(&words,
 		    tr("outside on %zu of %zu sieves; worst at %g mm: %.1f "
-		       "points "
-		       "%s"),
+		       "points %s"),
 		    out, g->n_sieve,
 		    units_m_to_mm(g->spec->size[worst.limit.i]),
 		    -100 * worst.passing,
@@ -382,9 +381,8 @@ envelope_add_sieve_rows(struct answer *r, struct grading *g, double v)
 	struct forecast *all = g->conditions.forecast;
 	forecast_set_speed(all, v);
 	bool band = forecast_draws_of_quantity(all, 0) != NULL;
-	answer_add_columns(r,
-	    "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
-	    "%%");
+	answer_add_columns(
+	    r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max %%");
 	answer_add_column(r, "passing_pct",
 	    fraction_is_screened(&g->fraction) ? N_("fraction %")
 					       : N_("product %"));

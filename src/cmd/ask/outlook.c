@@ -329,8 +329,7 @@ band_why_missing(const struct session *s, const struct entry *entry)
 {
 	const struct fit *fit = origin_fit_behind_params(entry);
 	return fit == NULL ? tr("no uncertainty band: the parameters do not "
-				"come from a "
-				"calibration in this session")
+				"come from a calibration in this session")
 	       : fit_has_too_few_data(fit)
 		   ? tr("no uncertainty band: too few data for the number of "
 			"parameters")
@@ -341,15 +340,12 @@ band_why_missing(const struct session *s, const struct entry *entry)
 		   ? tr("no uncertainty band: the calibration was stopped")
 	       : has_fit_too_poor_for_band(s, entry)
 		   ? tr("no uncertainty band: the fit is poor, "
-			"and two speeds do "
-			"not show how its error changes with "
-			"the speed; measure a "
-			"third")
+			"and two speeds do not show how its error changes with "
+			"the speed; measure a third")
 	       : are_settings_those_of_fit(s, entry)
 		   ? tr("no uncertainty band: its draws are not complete")
 		   : tr("no uncertainty band: the site was "
-			"calibrated with other "
-			"settings");
+			"calibrated with other settings");
 }
 
 bool

@@ -229,8 +229,7 @@ set_error_why_no_charts(
 		error_set(error, ERROR_USAGE,
 		    entry->has_fit
 			? N_("expected cuts that came after the calibration, "
-			     "got "
-			     "none\n"
+			     "got none\n"
 			     "add one: add cut.csv@72 date=2026-05-03")
 			: N_("expected routine cuts, got none\n"
 			     "add one: add cut.csv@72 date=2026-05-03"));

@@ -179,8 +179,7 @@ note_what_few_cuts_show(struct answer *a, const struct routine *r)
 	if (isfinite(sudden))
 		xappend_to_list(&words, "; ",
 		    tr("the next cut would mostly show a sudden change, by "
-		       "%.1f "
-		       "points or more (mean of the sieves)"),
+		       "%.1f points or more (mean of the sieves)"),
 		    100 * sudden);
 	answer_note(a, "%s", words);
 }
@@ -217,10 +216,8 @@ note_control_limits(struct answer *a, const struct routine *r, bool detail)
 		    "a signal: EWMA beyond its limit or a CUSUM above %g, of "
 		    "the mean "
 		    "residual or of its tilt (coarse sieves less fine ones), "
-		    "in "
-		    "standard deviations; by chance, without drift, once in "
-		    "about %.0f "
-		    "cuts",
+		    "in standard deviations; by chance, without drift, once in "
+		    "about %.0f cuts",
 		    r->rule.h, about);
 	else if (r->n >= ROUTINE_FEW)
 		answer_note(a,

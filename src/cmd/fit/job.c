@@ -52,8 +52,7 @@ print_calibration_begun(struct session *s)
 	if (s->job.detail)
 		session_print_note(s,
 		    "  population %zu, generations %zu, tolerance %g, stall "
-		    "%zu, "
-		    "polish %s, seed %llu, threads %u",
+		    "%zu, polish %s, seed %llu, threads %u",
 		    o->population, o->generations, o->tolerance, o->stall,
 		    o->polish ? "on" : "off", (unsigned long long)o->seed,
 		    o->threads);
@@ -640,8 +639,7 @@ print_calibration_stopped(const struct session *s, double best, bool taken)
 	else if (!taken)
 		session_print_note(s,
 		    "%s: stopped at generation %zu of %zu, best misfit %.4g; "
-		    "the site's parameters fit better (misfit %.4g) and "
-		    "stay",
+		    "the site's parameters fit better (misfit %.4g) and stay",
 		    s->entry[s->job.entry].key, st.generation,
 		    s->job.options.generations, best, s->job.before);
 }

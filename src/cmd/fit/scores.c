@@ -447,8 +447,7 @@ scores_build_answer_of_site(
 			? N_("no run was held out; sample another speed to "
 			     "test the model")
 			: N_("no run was held out: 'validate holdout=each' "
-			     "holds "
-			     "out each speed in turn"));
+			     "holds out each speed in turn"));
 	put_validation_fields(answer_json_fields(r), c);
 	return r;
 }

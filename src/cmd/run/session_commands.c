@@ -302,8 +302,7 @@ cmd_save(struct session *s, const struct args *args, struct error *error)
 	return text_ends_with(path, ".tip")
 		   ? save_session_as(s, args, path, error)
 		   : error_set(error, ERROR_USAGE,
-			 "save: expected a name that ends in .tip, got "
-			 "'%s'\n"
+			 "save: expected a name that ends in .tip, got '%s'\n"
 			 "use > FILE to save results, write to save a site "
 			 "file",
 			 path);

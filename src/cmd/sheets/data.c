@@ -66,8 +66,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	answer_note(r, s->n_entry > 0
 			   ? N_("* is the site in use")
 			   : N_("no site is loaded: run 'load FILE', or "
-				"'template > my.csv' for an empty "
-				"sheet"));
+				"'template > my.csv' for an empty sheet"));
 	if (s->log != NULL)
 		answer_note(r, "log: %s ('show log')", s->log->path);
 	return session_show_answer(s, r);

@@ -236,8 +236,7 @@ log_find_speed_at_time(struct session *s, double time, double within,
 		    "give the speed: add FILE@SPEED");
 	if (rpm && !(rotor > 0))
 		return error_set(error, ERROR_USAGE,
-		    "the log has rpm: expected the rotor's diameter, got "
-		    "none\n"
+		    "the log has rpm: expected the rotor's diameter, got none\n"
 		    "write: rotor_mm=DIAMETER, or a line rotor_mm in the site "
 		    "file");
 	struct log_window w =

@@ -537,8 +537,7 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 	FREED char *line = xstrdup("remember");
 	journal_append_quoted_word(&line, free_name);
 	return error_set(error, ERROR_USAGE,
-	    "nothing was stored: the store still has %s, %s, remembered on "
-	    "%s\n"
+	    "nothing was stored: the store still has %s, %s, remembered on %s\n"
 	    "to keep both: %s",
 	    m->name, old, m->date, line);
 }
@@ -709,8 +708,7 @@ note_recalled_material(
 	if (!model_settings_are_same(&set_to, &s->set.model))
 		session_print_note(s,
 		    "  the parameters were calibrated with other settings: run "
-		    "set "
-		    "method=%s appearance=%s k=%g",
+		    "set method=%s appearance=%s k=%g",
 		    m->method, m->appearance, m->k);
 	if (material_is_table3(m))
 		session_print_note(
