@@ -47,6 +47,7 @@ parse_plotted_sites(const struct session *s, const struct args *args,
 }
 
 #define KIND(kind) (1u << PLOT_##kind)
+#define MACHINE (KIND(PSD) | KIND(RUNS) | KIND(SWEEP) | KIND(RESPONSE))
 
 /* The kinds of plots that use an option, for those that not all do: its offset
  * in struct args, and a bit for each kind. */
@@ -74,6 +75,13 @@ static const struct {
     {offsetof(struct args, level), KIND(PSD)},
     {offsetof(struct args, feed), KIND(PSD) | KIND(RUNS) | KIND(SELECTION) |
 				      KIND(SWEEP) | KIND(RESPONSE)},
+    {offsetof(struct args, rotor_mm),
+	MACHINE | KIND(SELECTION) | KIND(APPEARANCE)},
+    {offsetof(struct args, cascade), MACHINE},
+    {offsetof(struct args, k), MACHINE | KIND(SELECTION)},
+    {offsetof(struct args, correction), KIND(PSD) | KIND(SWEEP) |
+					    KIND(RESPONSE) | KIND(PROFILE) |
+					    KIND(CORRELATION)},
     {offsetof(struct args, cut), KIND(PSD) | KIND(SWEEP) | KIND(RESPONSE)},
 };
 
@@ -91,6 +99,12 @@ note_unused_options(
 			    "plot %s does not use %s=", args->operand[0],
 			    args_option_name(args, member));
 	}
+	if (kind != PLOT_PSD)
+		return;
+	if (args_is_given(args, &args->level) && !(args->at > 0))
+		session_print_note(s, "level= needs at=");
+	if (args->other_feed > 0 && !(args->other > 0))
+		session_print_note(s, "other_feed= needs other=");
 }
 
 static bool

@@ -341,17 +341,18 @@ plots_make_chart(
 	static const struct {
 		plot_make *make;
 		bool any_site;
-	} KINDS[] = {[PLOT_PSD] = {plots_psd},
-	    [PLOT_RUNS] = {plots_runs},
+		bool asks; /* uses the feed and the machine of the question */
+	} KINDS[] = {[PLOT_PSD] = {plots_psd, false, true},
+	    [PLOT_RUNS] = {plots_runs, false, true},
 	    [PLOT_PARITY] = {parity_chart},
 	    [PLOT_CONVERGENCE] = {plots_search_convergence},
 	    [PLOT_SPREAD] = {plots_search_param_spread},
 	    [PLOT_RESIDUALS] = {residuals_chart},
-	    [PLOT_SELECTION] = {selection_function_chart},
+	    [PLOT_SELECTION] = {selection_function_chart, false, true},
 	    [PLOT_APPEARANCE] = {appearance_function_chart},
 	    [PLOT_MAP] = {plots_material_map, true},
-	    [PLOT_SWEEP] = {plots_sweep},
-	    [PLOT_RESPONSE] = {plots_response},
+	    [PLOT_SWEEP] = {plots_sweep, false, true},
+	    [PLOT_RESPONSE] = {plots_response, false, true},
 	    [PLOT_PROFILE] = {plots_parameter_profile},
 	    [PLOT_CORRELATION] = {plots_parameter_correlations},
 	    [PLOT_DRIFT] = {plots_control_charts},
@@ -367,6 +368,8 @@ plots_make_chart(
 	struct plot_request as = *request;
 	if (as.asked.entry == NULL && s->n_entry > 0)
 		as.asked.entry = &s->entry[at];
+	if (as.asked.entry != NULL && !KINDS[as.kind].asks)
+		as.asked.entry = entry_without_scenario(as.asked.entry);
 	as.asked.level = settings_band_probability(&s->set);
 	struct chart *chart = NULL;
 	make_chart_in_theme(KINDS[as.kind].make, s, &as, &chart, error);

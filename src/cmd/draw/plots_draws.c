@@ -172,8 +172,7 @@ prepare_param_profile(const struct session *s, const struct entry *entry,
 	if ((gauge && fabs(a->fit.at[a->j]) == 1) ||
 	    (!gauge && !(a->bounds.lower[a->j] < a->bounds.upper[a->j])))
 		return error_set(error, ERROR_USAGE,
-		    "%s is %s\nchoose another parameter: plot profile "
-		    "param=..",
+		    "%s is %s\nchoose another parameter: plot profile param=..",
 		    name,
 		    gauge
 			? tr("the parameter that the rest of beta is scaled by")

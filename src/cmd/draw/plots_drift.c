@@ -57,7 +57,7 @@ struct chart *
 plots_control_charts(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = entry_without_scenario(q->asked.entry);
+	const struct entry *entry = q->asked.entry;
 	if (!answers_require_params(s, entry, error))
 		return NULL;
 	struct routine *r =

@@ -270,6 +270,13 @@ note_basis_of_impact_count(struct answer *r, const struct energy_question *q)
 }
 
 static bool
+has_f_mat(const struct entry *entry)
+{
+	return entry->has_params &&
+	       isfinite(params_value_by_name(&entry->params, "f_mat"));
+}
+
+static bool
 show_impact_energies(
     struct session *s, const struct args *args, struct error *error)
 {
@@ -294,9 +301,7 @@ show_impact_energies(
 	q.E = q.speed > 0 ? specific_energy_at_speed(q.speed) : NAN;
 	if (s->n_entry > 0) {
 		const struct entry *entry = session_current_site_entry(s);
-		bool known = entry->has_params && isfinite(params_value_by_name(
-						      &entry->params, "f_mat"));
-		q.entry = known ? entry : NULL;
+		q.entry = has_f_mat(entry) ? entry : NULL;
 		q.rotor = entry->site->rotor;
 	}
 	FREED struct spectrum_size *whole = spectrum_sum_over_sizes(spectrum);

@@ -68,9 +68,9 @@ read_first_number_of_cell(
 	    number_reparse_cell_with_text(sheet, cell, copy), value);
 }
 
-/* Returns the rotor's diameter, mm, that a key and value state, or 0 if they are
- * about something else of the rotor, such as its type, hours, radius or mass,
- * or in feet.  A number below 10 is in m. */
+/* Returns the rotor's diameter, mm, that a key and value state, or 0 if they
+ * are about something else of the rotor, such as its type, hours, radius or
+ * mass, or in feet.  A number below 10 is in m. */
 static double
 rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 {
