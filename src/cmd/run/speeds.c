@@ -222,12 +222,12 @@ error_rotor_unknown(struct session *s, const struct words *words,
 	FREED char *line = xstrdup("");
 	for (size_t k = 0; k < words->n; k++)
 		xappend_to_list(&line, " ", "%s", words->text[k]);
-	bool has = command_option_index(words->command, "rotor_mm") < OPTIONS;
 	error_set_at(error, ERROR_USAGE, place.file, place.line,
 	    words->column[i],
 	    "expected the rotor's diameter with rpm, which %s does not state",
 	    session_current_site_entry(s)->site->name);
-	return has ? error_set_hint(error, "write: %s rotor_mm=DIAMETER", line)
+	return command_option_index(words->command, "rotor_mm") < OPTIONS
+		   ? error_set_hint(error, "write: %s rotor_mm=DIAMETER", line)
 		   : error_set_hint(error,
 			 "write: load FILE rotor_mm=DIAMETER, or a line "
 			 "rotor_mm in the site file");
@@ -426,7 +426,6 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
-	bool alone = lister == command && !bare;
-	if (n > 2 || lists || (n > 1 && alone))
+	if (n > 2 || lists || (n > 1 && lister == command && !bare))
 		words_replace_by_one(words, 1, n - 1, joined);
 }
