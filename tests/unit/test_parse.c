@@ -86,7 +86,7 @@ static const struct {
 	"leave out one of the two"},
     {"predict 74 speed=75", 12, "speed is given twice",
 	"leave out one of the two"},
-    {"predict 74 75", 12, "unexpected word '75'", "usage: predict"},
+    {"predict 74 75", 12, "got 74 and 75", "predict speed=75"},
     {"seed 1 2", 8, "unexpected word '2'", "usage: set seed"},
     {"set method", 5, "method: expected a value", ""},
     {"use", 1, "use: expected SITE", "usage: use SITE"},

@@ -797,11 +797,9 @@ check_number_of_operands(const struct args *args, struct error *error)
 		return true;
 	if (more != NULL && !check_operand_is_no_option(command, more, error))
 		return false;
-	size_t speed = command->operands.most == 0
-			   ? command_option_index(command, "speed")
-			   : OPTIONS;
-	if (more != NULL && speed < OPTIONS && value_is_speed(more) &&
-	    args->value[speed].given)
+	size_t speed = command_option_index(command, "speed");
+	if (more != NULL && command->operands.most == 0 &&
+	    value_is_speed(more) && speed < OPTIONS && args->value[speed].given)
 		return error_set(error, ERROR_USAGE,
 		    "expected one speed, got %s and %s\n"
 		    "write a command for each: %s speed=%s; %s speed=%s",

@@ -198,7 +198,6 @@ bool
 cmd_set(struct session *s, const struct args *args, struct error *error)
 {
 	const struct settings was = s->set;
-	const struct model_settings before = was.model;
 	bool any = false;
 	for (size_t i = 0; SETTINGS[i].name != NULL; i++) {
 		if (!args->value[i].given)
@@ -212,14 +211,14 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		settings_set_value(&SETTINGS[i], &args->value[i], &s->set);
 		any = true;
 	}
-	if (!model_settings_are_same(&before, &s->set.model))
+	if (!model_settings_are_same(&was.model, &s->set.model))
 		session_remove_answers(s);
 	/* Settings alone need no saving, but a goal does. */
 	if (strcmp(was.goal, s->set.goal) != 0)
 		journal_assign_state_number(s);
 	/* This does not change the parameters of loaded sites. */
-	if (s->set.model.breakage != before.breakage) {
-		const struct bounds usual = bounds_default(before.breakage);
+	if (s->set.model.breakage != was.model.breakage) {
+		const struct bounds usual = bounds_default(was.model.breakage);
 		if (memcmp(&usual, &s->set.bounds, sizeof usual) != 0)
 			session_print_note(s,
 			    "  the search bounds are now the defaults of %s",

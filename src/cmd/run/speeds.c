@@ -419,7 +419,6 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
-	bool alone = lister == command && !bare;
-	if (n > 2 || lists || (n > 1 && alone))
+	if (n > 2 || lists || (n > 1 && lister == command && !bare))
 		words_replace_by_one(words, 1, n - 1, joined);
 }

@@ -180,9 +180,9 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 	struct stat info;
 	if (stat(path, &info) != 0 || !S_ISDIR(info.st_mode)) {
 		const struct site *site = session_current_site_entry(s)->site;
-		bool name = file_check_csv_name(path, error),
-		     kept = name && file_exists(path) && !args->replace,
-		     ok = name && files_write_site(s, args, site, path, error);
+		bool kept = file_exists(path) && !args->replace &&
+			    file_check_csv_name(path, error);
+		bool ok = files_write_site(s, args, site, path, error);
 		return ok || (kept && error->kind == ERROR_USAGE &&
 				 error_set_hint(error,
 				     "use replace=on to overwrite it; write "

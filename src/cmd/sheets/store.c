@@ -736,9 +736,12 @@ recall_params_and_runs(struct session *s, const struct material *m,
     size_t index, struct error *error)
 {
 	enum remembered how = recall_calibration(s, m, &index, error);
-	if (how == RECALL_FAILED ||
-	    (how == RECALL_WITHOUT_RUNS &&
-		!session_require_site(s, "recall", error)))
+	if (how == RECALL_WITHOUT_RUNS && s->n_entry == 0)
+		return error_set(error, ERROR_USAGE,
+		    "%s has parameters only, and no site is loaded\n"
+		    "load the site that they are for first: load FILE",
+		    m->name);
+	if (how == RECALL_FAILED)
 		return false;
 	struct entry *entry = &s->entry[index];
 	if (how == RECALL_WITHOUT_RUNS)
@@ -1052,9 +1055,9 @@ show_materials_list(
 		  store_find_materials(s->store, &query, &list, error);
 	size_t listed = list.n;
 	material_add_table3_to_list(&list);
-	bool printed = args->origin == TABLE3;
-	struct answer *r = printed ? build_table3_answer(s, args, &paper, &n)
-				   : build_materials_answer(args, &list, &n);
+	struct answer *r = args->origin == TABLE3
+			       ? build_table3_answer(s, args, &paper, &n)
+			       : build_materials_answer(args, &list, &n);
 	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    own + paper.n, own, store_path(s->store));
 	answer_note(r, "Table 3 is the paper's, and read only");

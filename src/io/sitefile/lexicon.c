@@ -114,7 +114,11 @@ static const struct {
 	"min max minimum maximum spec specs specification limit limits lower "
 	"upper envelope krav grans undre ovre grenzwert grenze soll sollwert "
 	"target granskurva gransvarde limite limites minimo maximo raja "
-	"alaraja ylaraja vaatimus norm norma norme unter ober"},
+	"alaraja ylaraja vaatimus norm norma norme unter ober calculated calc "
+	"berechnet beraknad beraknat beregnet calcule calculado laskettu "
+	"predicted expected simulated simulerad model modell fit fitted "
+	"smoothed interpolated rejected outlier discarded kasserad ungultig "
+	"previous fuller theoretical teoretisk"},
     {WORD_OTHER,
 	"remark remarks note notes comment comments anm anmarkning "
 	"anmarkningar bemerkung bemerkungen remarque remarques observaciones "
@@ -122,8 +126,8 @@ static const struct {
 	"huom huomautus lab labor labno labnr laboratory id time tid klockan "
 	"moisture fukt fukthalt feuchte humidite humedad umidade kosteus "
 	"temperature temperatur operateur bediener uhrzeit heure hora initials "
-	"sampler sampled signature"},
-    {WORD_OTHER, "date datum dato fecha data dnia pvm paivamaara"},
+	"sampler sampled signature date datum dato fecha data dnia pvm "
+	"paivamaara"},
     {WORD_MEAN,
 	"mean average avg mw moy ka median gj medel medelvarde snitt mittel "
 	"mittelwert moyenne srednia media medio promedio keskiarvo "
@@ -151,11 +155,6 @@ static const struct {
 	"washed washing wash tvatt tvattforlust tvattat abschlammbar "
 	"abschlammbare abgeschlammt lavage lave lavado lavagem pesu pesty "
 	"pesun waschen gewaschen tvattning tvattad m2"},
-    {WORD_LIMIT,
-	"calculated calc berechnet beraknad beraknat beregnet calcule "
-	"calculado laskettu predicted expected simulated simulerad model "
-	"modell fit fitted smoothed interpolated rejected outlier discarded "
-	"kasserad ungultig previous fuller theoretical teoretisk"},
     {WORD_MACHINE,
 	"vsi crusher kross brecher concasseur trituradora britador murskain "
 	"line machine maskin"},
