@@ -129,17 +129,6 @@ resume_fit_within_bounds(struct tui *t, bool edited)
 		tui_set_message(t, false, "continues within the new bounds");
 }
 
-/* Adds to the message of a line.  If the line opened a text, only an empty
- * message is added to; it is read after the text is closed. */
-static void
-append_to_message(struct tui *t, const char *more)
-{
-	FREED char *said = xstrdup(t->message);
-	if (t->viewer.text == NULL || said[0] == '\0')
-		tui_set_message(t, t->bad, "%s%s%s", said,
-		    said[0] != '\0' ? "; " : "", more);
-}
-
 /* After an answer for another feed, says that the pages keep theirs. */
 static void
 report_that_pages_keep_feed(struct tui *t, const char *line)
@@ -215,12 +204,12 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	    t, command, line, ok, session_is_calibrating(s) && !beside);
 	/* The user may have wanted to undo a move of the slider. */
 	if (command == command_find("undo") && undo_count_steps(s) < steps)
-		append_to_message(
+		tui_append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "
 			  "undone)"));
 	else if (effect == JOB_STOPS && !session_is_calibrating(s) &&
 		 s->job.paused == paused)
-		append_to_message(t, stopped);
+		tui_append_to_message(t, stopped);
 }
 
 /* Returns true if a command answers for one speed: it takes speed=, and does

@@ -311,15 +311,14 @@ act_toggle_band(struct tui *t, const struct key *key)
 	t->ui.band = !t->ui.band;
 	if (!t->ui.band)
 		tui_set_message(t, false, "band off");
-	if (!t->ui.band || t->view.current.site[0] == '\0')
-		return;
-	bool known = t->view.shown.low != NULL;
-	if (known)
+	else if (t->view.shown.low != NULL)
 		tui_set_message(
 		    t, false, "band on; the line hides it where thin");
-	else
+	else if (t->view.current.site[0] != '\0')
 		tui_set_message(t, false,
-		    entry->has_fit && fit_has_too_few_data(&entry->fit)
+		    t->session->set.correction == CORRECTION_OFF ||
+			    (entry->has_fit &&
+				fit_has_too_few_data(&entry->fit))
 			? "%s"
 			: N_("%s; f calibrates"),
 		    band_why_missing(t->session, entry));

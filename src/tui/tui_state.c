@@ -297,3 +297,12 @@ tui_set_message(struct tui *t, bool bad, const char *format, ...)
 	va_end(ap);
 	t->bad = bad;
 }
+
+void
+tui_append_to_message(struct tui *t, const char *more)
+{
+	FREED char *said = xstrdup(t->message);
+	if (more[0] != '\0' && (t->viewer.text == NULL || said[0] == '\0'))
+		tui_set_message(t, t->bad, "%s%s%s", said,
+		    said[0] != '\0' ? "; " : "", more);
+}

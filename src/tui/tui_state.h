@@ -420,4 +420,9 @@ void tui_free_parity(struct parity *parity);
 void tui_set_message(struct tui *t, bool bad, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Adds to the message of a line, unless `more` is "".  If the line opened a
+ * text, only an empty message is added to; it is read after the text is
+ * closed. */
+void tui_append_to_message(struct tui *t, const char *more);
+
 #endif

@@ -1832,6 +1832,16 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	assert_non_null(strstr(t->message, "cannot be continued"));
 	assert_null(strstr(t->message, "U brings"));
 	assert_true(tui_current_site_entry(t)->fit.misfit == best);
+	/* Each says so, too. */
+	type(t, "1f..5");
+	t->ui.list[PAGE_SITES].at = 0;
+	type(t, "\n");
+	assert_string_equal(t->command, "use bro");
+	assert_non_null(strstr(t->message, "the calibration was stopped"));
+	type(t, ":use tierp\n1f..onews\n");
+	assert_non_null(strstr(t->message, "the calibration was stopped"));
+	press(t, "Esc");
+	press(t, "Esc");
 	/* The last way is to quit, or a signal. */
 	type(t, "1f..");
 	control_close_screen(t);

@@ -261,6 +261,7 @@ a_doubtful_cell_is_marked_and_mended_by_a_key(void **state)
 	assert_true(said);
 	press(t, "Enter");
 	assert_string_equal(t->command, "mend product@74 sieve=1 value=18.52");
+	assert_non_null(strstr(t->message, "f calibrates, "));
 	assert_non_null(strstr(row_of(stage, 9), "18.52 "));
 	press(t, "u");
 	assert_non_null(strstr(row_of(stage, 9), "15.82!"));
@@ -531,6 +532,12 @@ what_keys_changed_is_said(void **state)
 	assert_non_null(strstr(t->message, "band on"));
 	press(t, "b");
 	assert_string_equal(t->message, "band off");
+	/* The model alone has none, however often it is calibrated. */
+	desk_expect(stage->desk, "set correction off");
+	control_discard_outdated_state(t);
+	press(t, "b b b");
+	assert_non_null(strstr(t->message, "'set correction all' gives one"));
+	assert_null(strstr(t->message, "f calibrates"));
 	press(t, "3");
 	assert_false(frame_has(stage, 24, "f fit"));
 	assert_true(frame_has(stage, 24, "PRED"));

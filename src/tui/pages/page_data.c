@@ -223,7 +223,7 @@ correct_cell_at_cursor(struct tui *t)
 	tui_stop_fit(t);
 	if (control_run_command_captured(t, line))
 		tui_set_message(t, false,
-		    "mended: %s; u undoes it, f calibrates again, :write FILE "
+		    "mended: %s; u undoes it, f calibrates, :write FILE "
 		    "saves the sheet",
 		    words);
 }

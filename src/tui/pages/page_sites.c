@@ -501,10 +501,10 @@ open_chosen_site(struct tui *t)
 	    xasprintf("use %s", t->ui.list[PAGE_SITES].at < s->n_entry
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
-	tui_stop_fit(t);
-	bool used = control_run_command_captured(t, line);
-	if (used)
+	const char *stopped = tui_stop_fit(t);
+	if (control_run_command_captured(t, line))
 		pages_go_to(t, PAGE_PREDICT);
+	tui_append_to_message(t, stopped);
 }
 
 /* Sorts by the next column that is drawn. */

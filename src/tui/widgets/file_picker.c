@@ -79,11 +79,13 @@ static bool
 run_line_that_opens_file(struct tui *t, const char *line, bool estimates)
 {
 	const size_t before = t->session->n_entry;
-	tui_stop_fit(t);
-	if (!control_run_command_captured(t, line) ||
-	    tui_current_site_entry(t) == NULL)
-		return false;
+	const char *stopped = tui_stop_fit(t);
+	bool ok = control_run_command_captured(t, line);
 	const struct entry *entry = tui_current_site_entry(t);
+	if (!ok || entry == NULL) {
+		tui_append_to_message(t, stopped);
+		return false;
+	}
 	size_t products = site_count_products(entry->site);
 	FREED char *label = session_site_label(entry->site);
 	if (estimates || products == 0)
@@ -95,6 +97,7 @@ run_line_that_opens_file(struct tui *t, const char *line, bool estimates)
 			: N_("replaced %s, loaded earlier: press f to "
 			     "calibrate, u to undo"),
 		    label);
+	tui_append_to_message(t, stopped);
 	return true;
 }
 

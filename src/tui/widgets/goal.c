@@ -269,14 +269,6 @@ show_typed_quantity(struct tui *t, const char *text)
 	return ok;
 }
 
-/* Returns the quantity to show until it is known which condition binds: that of
- * the last condition or, for an envelope, of one in the middle. */
-static struct quantity
-quantity_to_show_for_goal(const struct condition_list *list)
-{
-	return list->at[list->n > MANY ? list->n / 2 : list->n - 1].quantity;
-}
-
 /* Shows the quantity of the condition that binds, once that is known, unless
  * the user chose another. */
 static void
@@ -322,8 +314,11 @@ parse_goal_field(struct tui *t)
 	} else if (show_typed_quantity(t, text)) {
 	} else if (goals_parse(t->session, text, tui_feed_curve(t), &list,
 		       &n_value, &error)) {
+		/* Until it is known which condition binds, that of the last
+		 * is shown or, of an envelope, of one in the middle. */
+		size_t shown = list.n > MANY ? list.n / 2 : list.n - 1;
 		if (list.n > 0)
-			t->ui.quantity = quantity_to_show_for_goal(&list);
+			t->ui.quantity = list.at[shown].quantity;
 		t->ui.quantity_of_goal = true;
 		line = command_that_sets_goal(t, text);
 		if (line == NULL)
