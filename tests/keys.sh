@@ -62,7 +62,7 @@ pin speed=69
 compare pinned 75
 figures
 flow tph=120 speed=74 recycle=8/11.2
-flow tph=120 power=69:206:118,79:279:121 prices=0/2:12,2/5:9 kwh=0.15 best=on
+flow tph=120 power=69:206:118,79:279:121 prices=0/2:12,2/5:9 kwh=0.15 best=on from=70 to=74
 find p50=3
 find "max passing 2" "P80 > 4"
 find spec="EN 12620 0/8"
@@ -75,7 +75,6 @@ uncertainty draws n=3
 advise p80
 identify
 validate
-validate holdout=each
 blend data/sites/tierp.csv@69=60 data/sites/bro.csv@69=40 speed=72
 plot psd speed=72 band=on
 plot response
@@ -83,6 +82,11 @@ plot correlation
 plot parity
 describe psd speed=72
 screen width=80 height=24
+bounds f_mat 2.18
+bounds e0_min 16.74
+bounds alpha 0.96
+validate holdout=each
+league
 remember trial date=2026-05-03
 materials origin=own
 forget trial
@@ -94,12 +98,8 @@ load data/sites/umea.csv
 params set f_mat=2.18 e0_min=16.74 alpha=0.96
 compare tierp umea speed=72
 params diff tierp
-bounds f_mat 2.18
-bounds e0_min 16.74
-bounds alpha 0.96
 calibrate all population=200 generations=30
 validate all
-league
 END
 "$TIPSPEED" --store=:memory: --format=json -f script.tip >out.json 2>err
 result $? "all commands run"

@@ -144,7 +144,7 @@ summed(const struct psd *feed, const struct params *p,
 		double t = (a + z) / 2;
 		double dF =
 		    psd_passing(feed, exp(z)) - psd_passing(feed, exp(a));
-		sum += dF * selection_share_at_log_size(&b, t, NULL) *
+		sum += dF * selection_share_at_log_size(&b, t) *
 		       b.model->finer(&b, low - t, NULL);
 	}
 	return sum;

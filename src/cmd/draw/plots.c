@@ -232,7 +232,7 @@ add_selection_function_curve(struct chart *chart, const struct session *s,
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
 		series->y[i] = 100 * selection_share_at_log_size(
-					 &b, el_log(series->x[i] / 1000), NULL);
+					 &b, el_log(series->x[i] / 1000));
 	}
 	double mm =
 	    1000 * params_break_size_by_impacts(params, &settings, speed);

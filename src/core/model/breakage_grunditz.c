@@ -11,7 +11,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "core/model/continuous.h"
-#include "core/model/selection.h"
 
 /* Index of f_mat, which e0_min and alpha follow. */
 enum { F_MAT = 4 };
@@ -22,6 +21,8 @@ grunditz_compute_breaker_constants(struct breaker *b)
 	struct params scaled = b->p;
 	params_scale_largest_beta_to_1(&scaled);
 	b->appearance = appearance_from_beta(scaled.beta);
+	b->own[OWN_SCALE] =
+	    1 / (b->appearance.total * params_largest_beta(&b->p));
 }
 
 double
@@ -37,9 +38,8 @@ grunditz_progeny_share_finer(const struct breaker *b, double log_u, double *d)
 	double B = sum / a->total;
 	if (d == NULL)
 		return B;
-	double scale = 1 / (a->total * params_largest_beta(&b->p));
 	for (size_t i = 0; i < 4; i++)
-		d[i] += (parts[i] - B * a->whole[i]) * scale;
+		d[i] += (parts[i] - B * a->whole[i]) * b->own[OWN_SCALE];
 	return B;
 }
 
@@ -71,33 +71,12 @@ progeny_density(const struct breaker *b, double u, double log_u, double log_x)
  * differences keep their digits.  The derivatives with respect to f_mat, E0_min
  * and alpha need the same five integrals of dS; those with respect to beta are
  * free, because p is linear in beta between its zeros. */
-enum {
-	MOMENTS = 5, /* 1, 1/x, 1/x^2, 1/x^3, ln x */
-	SHAPES = 4,  /* S, dS/df_mat, dS/dE0_min, dS/dalpha */
-};
+enum { MOMENTS = 5 }; /* 1, 1/x, 1/x^2, 1/x^3, ln x */
 
 /* The integrals over x > exp(edge[e]). */
 struct moments {
 	double of[SHAPES][MOMENTS];
 };
-
-static void
-broken_shares_at_gauss_nodes(const struct breaker *b,
-    const double t[static GAUSS], double shape[static SHAPES][GAUSS])
-{
-	const double *q = b->p.at + F_MAT;
-	if (b->impacts.n == 0) {
-		selection_shares_at_sizes(q, b->k, b->E, GAUSS, t, shape[0]);
-		return;
-	}
-	for (size_t i = 0; i < GAUSS; i++) {
-		double d[SHAPES] = {0};
-		d[0] = selection_share_by_impacts(
-		    &b->impacts, q, b->k, b->E, t[i], d + 1);
-		for (size_t s = 0; s < SHAPES; s++)
-			shape[s][i] = d[s];
-	}
-}
 
 /* Adds the integrals of S dF (n = 1) and of its derivatives (n = SHAPES), times
  * each g_m. */
@@ -106,7 +85,7 @@ add_quadrature_panel_moments(const struct continuous_solver *c,
     const struct panel *panel, size_t n, struct moments *sum)
 {
 	double shape[SHAPES][GAUSS], x1[GAUSS];
-	broken_shares_at_gauss_nodes(c->b, panel->t, shape);
+	selection_shares_by_impacts(c->b, GAUSS, panel->t, shape[0]);
 	for (size_t i = 0; i < GAUSS; i++)
 		x1[i] = el_exp(-panel->t[i]);
 	for (size_t i = 0; i < GAUSS; i++) {

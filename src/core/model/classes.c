@@ -92,8 +92,7 @@ compute_breakage_matrix_and_shares(struct classes_solver *c)
 {
 	classes_appearance_matrix(c->b, c->form, c->x, c->feed.n, c->matrix);
 	for (size_t i = 0; i < c->feed.n; i++)
-		c->S[i] =
-		    selection_share_at_log_size(c->b, el_log(c->x[i]), NULL);
+		c->S[i] = selection_share_at_log_size(c->b, el_log(c->x[i]));
 }
 
 void

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/model/selection.h"
 #include "core/numeric/elementary.h"
 
 /* Values of -ln(1 - S) at which the panels end: 1 - S falls to e^-40 over them,
@@ -126,25 +125,20 @@ add_quadrature_points(
     const struct continuous_solver *c, const struct panel *panel, void *data)
 {
 	size_t *n = data;
+	double shape[SHAPES][GAUSS];
+	selection_shares_by_impacts(c->b, GAUSS, panel->t, shape[0]);
 	for (size_t i = 0; i < GAUSS; i++)
-		c->point[(*n)++] =
-		    (struct point){.t = panel->t[i], .mass = panel->weight[i]};
+		c->point[(*n)++] = (struct point){panel->t[i], panel->weight[i],
+		    {shape[0][i], shape[1][i], shape[2][i], shape[3][i]}};
 }
 
-/* Makes the points with S and, if gradient is true, its derivatives. */
 static void
-make_quadrature_points(struct continuous_solver *c, bool gradient)
+make_quadrature_points(struct continuous_solver *c)
 {
-	const struct breaker *b = c->b;
 	c->n_point = 0;
 	for (size_t e = 0; e + 1 < c->n_edge; e++)
 		continuous_solver_visit_panels(c, c->edge[e + 1], c->edge[e],
 		    c->density[e], add_quadrature_points, &c->n_point);
-	for (size_t i = 0; i < c->n_point; i++) {
-		struct point *p = &c->point[i];
-		p->S = selection_share_at_log_size(
-		    b, p->t, gradient ? p->dS : NULL);
-	}
 }
 
 /* The step of the table of B: cubics through four nodes give B within 1e-5
@@ -163,32 +157,22 @@ tabulate_progeny_shares(struct continuous_solver *c, bool gradient)
 		finest = fmin(finest, c->log_sieve[i]);
 	c->n_node = (size_t)((c->edge[0] - finest) / NODE_STEP) + 4;
 	if (c->node == NULL)
-		c->node = xcalloc_doubles(c->n_node * (1 + PARAMS_MOST));
+		c->node = xcalloc_doubles(c->n_node * ROW_MOST);
 	double d[PARAMS_MOST] = {0};
 	b->model->finer(b, -0.7, d);
 	c->n_moved = 0;
 	for (size_t j = 0; gradient && j < n; j++)
 		if (d[j] < 0 || d[j] > 0 || j < b->model->gauge)
 			c->moved[c->n_moved++] = j;
+	c->row = (1 + c->n_moved + AT_ONCE - 1) / AT_ONCE * AT_ONCE;
 	for (size_t i = 0; i < c->n_node; i++) {
-		double *node = c->node + i * (1 + c->n_moved);
+		double *node = c->node + i * c->row;
 		memset(d, 0, sizeof d);
 		node[0] = b->model->finer(
 		    b, -NODE_STEP * (double)i, gradient ? d : NULL);
 		for (size_t k = 0; k < c->n_moved; k++)
 			node[1 + k] = d[c->moved[k]];
 	}
-}
-
-/* Interpolates column k of the table, with weights for four rows. */
-static inline double
-interpolate_table_column(const struct continuous_solver *c, const double *first,
-    const double weight[static 4], size_t k)
-{
-	size_t width = 1 + c->n_moved;
-	return weight[0] * first[k] + weight[1] * first[width + k] +
-	       weight[2] * first[2 * width + k] +
-	       weight[3] * first[3 * width + k];
 }
 
 /* Returns the first of the four nodes around a depth, -ln u, and sets their
@@ -205,7 +189,23 @@ find_interpolation_nodes(
 	weight[1] = t * b * e / 2;
 	weight[2] = -t * a * e / 2;
 	weight[3] = t * a * b / 6;
-	return c->node + first * (1 + c->n_moved);
+	return c->node + first * c->row;
+}
+
+/* Interpolates the columns of a row of the table, with weights for four
+ * rows.  Compilers can vectorise the inner loop. */
+static inline void
+interpolate_table_row(const struct continuous_solver *c,
+    const double *restrict first, const double weight[static 4],
+    double *restrict to)
+{
+	size_t row = c->row;
+	for (size_t k = 0; k < row; k += AT_ONCE, first += AT_ONCE)
+		for (size_t j = 0; j < AT_ONCE; j++)
+			to[k + j] = weight[0] * first[j] +
+				    weight[1] * first[row + j] +
+				    weight[2] * first[2 * row + j] +
+				    weight[3] * first[3 * row + j];
 }
 
 /* Returns the mass broken to below a sieve, without the factor at_size.  Adds
@@ -214,26 +214,26 @@ static double
 mass_broken_below_sieve(
     const struct continuous_solver *c, double log_s, double *row)
 {
-	size_t n = c->b->model->n;
-	double sum = 0, weight[4];
+	double by_S[SHAPES] = {0}, by_B[ROW_MOST] = {0}, B[ROW_MOST] = {0};
 	for (size_t i = 0; i < c->n_point; i++) {
 		const struct point *p = &c->point[i];
 		if (p->t <= log_s)
 			continue;
+		double weight[4];
 		const double *first =
 		    find_interpolation_nodes(c, p->t - log_s, weight);
-		double B = interpolate_table_column(c, first, weight, 0);
-		sum += p->mass * p->S * B;
-		if (row == NULL)
-			continue;
-		for (size_t j = 0; j < n; j++)
-			row[j] += p->mass * p->dS[j] * B;
-		for (size_t k = 0; k < c->n_moved; k++)
-			row[c->moved[k]] +=
-			    p->mass * p->S *
-			    interpolate_table_column(c, first, weight, 1 + k);
+		interpolate_table_row(c, first, weight, B);
+		for (size_t s = 1; s < SHAPES; s++)
+			by_S[s] += p->mass * p->shape[s] * B[0];
+		for (size_t k = 0; k < c->row; k += AT_ONCE)
+			for (size_t j = k; j < k + AT_ONCE; j++)
+				by_B[j] += p->mass * p->shape[0] * B[j];
 	}
-	return sum;
+	for (size_t s = 1; row != NULL && s < SHAPES; s++)
+		row[c->b->model->strength + s - 1] += by_S[s];
+	for (size_t k = 0; row != NULL && k < c->n_moved; k++)
+		row[c->moved[k]] += by_B[1 + k];
+	return by_B[0];
 }
 
 /* As mass_broken_below_sieve, with the factor at_size. */
@@ -264,7 +264,7 @@ continuous_solver_compute_product(
 		c->b->model->product(c, passing, d_passing);
 		return;
 	}
-	make_quadrature_points(c, d_passing != NULL);
+	make_quadrature_points(c);
 	tabulate_progeny_shares(c, d_passing != NULL);
 	bool breaks = breaker_has_progeny(c->b);
 	for (size_t i = 0; i < c->n_sieve; i++) {
@@ -283,8 +283,8 @@ continuous_solver_broken_feed_share(struct continuous_solver *c)
 {
 	double sum = 0;
 	find_quadrature_panel_ends(c);
-	make_quadrature_points(c, false);
+	make_quadrature_points(c);
 	for (size_t i = 0; i < c->n_point; i++)
-		sum += c->point[i].mass * c->point[i].S;
+		sum += c->point[i].mass * c->point[i].shape[0];
 	return sum;
 }

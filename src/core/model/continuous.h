@@ -4,6 +4,7 @@
 #define TIPSPEED_CORE_MODEL_CONTINUOUS_H
 
 #include "core/model/breakage.h"
+#include "core/model/selection.h"
 #include "core/psd/psd.h"
 
 /* Panels end at STOPS values of the exponent in Eq 3.  With a spectrum of
@@ -14,8 +15,11 @@ enum { STOPS = 5, STOPS_MOST = 2 * STOPS + IMPACTS_MOST, GAUSS = 8 };
 /* A point of the integrals over the feed: t = ln x, the mass dF, and S there
  * with its derivatives. */
 struct point {
-	double t, mass, S, dS[PARAMS_MOST];
+	double t, mass, shape[SHAPES];
 };
+
+/* Rows of the table of B are a multiple of AT_ONCE long. */
+enum { AT_ONCE = 4, ROW_MOST = PARAMS_MOST + AT_ONCE };
 
 struct moments;
 
@@ -33,9 +37,9 @@ struct continuous_solver {
 	struct point *point;
 	struct moments *above; /* [n_edge], for the paper's model, else NULL */
 	/* B at nodes in equal steps of ln u down from 0, with its derivatives
-	 * with respect to the n_moved parameters on which it depends; rows of 1
-	 * + n_moved. */
-	size_t n_node, n_moved, moved[PARAMS_MOST];
+	 * with respect to the n_moved parameters on which it depends.  row: the
+	 * length of a row, which is 1 + n_moved or a little more. */
+	size_t n_node, n_moved, moved[PARAMS_MOST], row;
 	double *node;
 };
 

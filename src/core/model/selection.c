@@ -7,11 +7,10 @@
 #include "base/xalloc.h"
 
 double
-selection_share_at_log_size(const struct breaker *b, double log_x, double *d)
+selection_share_at_log_size(const struct breaker *b, double log_x)
 {
-	size_t f = b->model->strength;
-	return selection_share_by_impacts(&b->impacts, b->p.at + f, b->k, b->E,
-	    log_x, d != NULL ? d + f : NULL);
+	return selection_share_by_impacts(
+	    &b->impacts, b->p.at + b->model->strength, b->k, b->E, log_x, NULL);
 }
 
 double

@@ -10,6 +10,9 @@
 #include "core/model/breakage.h"
 #include "core/numeric/elementary.h"
 
+/* S, and its derivatives with respect to f_mat, e0_min and alpha. */
+enum { SHAPES = 4 };
+
 /* Computes the selection at n sizes: the fraction of each that breaks in k
  * impacts.
  *   S = 1 - exp(-f_mat k (x^alpha E - E0_min)), 0 where the bracket is negative
@@ -73,6 +76,26 @@ selection_share_by_impacts(const struct impacts *impacts,
 	return 1 - left;
 }
 
+/* As selection_shares_at_sizes, with the breaker's parameters, and with a
+ * spectrum of impacts if it has one. */
+static inline void
+selection_shares_by_impacts(
+    const struct breaker *b, size_t n, const double *log_x, double *shape)
+{
+	const double *q = b->p.at + b->model->strength;
+	if (b->impacts.n == 0) {
+		selection_shares_at_sizes(q, b->k, b->E, n, log_x, shape);
+		return;
+	}
+	for (size_t i = 0; i < n; i++) {
+		double d[SHAPES] = {0};
+		d[0] = selection_share_by_impacts(
+		    &b->impacts, q, b->k, b->E, log_x[i], d + 1);
+		for (size_t s = 0; s < SHAPES; s++)
+			shape[s * n + i] = d[s];
+	}
+}
+
 /* The parameters of Eq 3, in the order of q above.  lower, upper: from Table 2
  * of the paper, whose text counts six variables where there are seven (D7). */
 #define SELECTION_PARAMETERS                                 \
@@ -85,10 +108,8 @@ selection_share_by_impacts(const struct impacts *impacts,
 		    "size dependency of breakage", 0         \
 	}
 
-/* Returns S at ln x, x in m, and adds its derivatives with respect to all
- * parameters of the model to d, if not NULL. */
-double selection_share_at_log_size(
-    const struct breaker *b, double log_x, double *d);
+/* Returns S at ln x, x in m. */
+double selection_share_at_log_size(const struct breaker *b, double log_x);
 
 /* Returns the ln x at which -ln(1 - S) equals `exponent`, for the ends of
  * panels in integrals of S.  It rises with the exponent; at 0 it is ln of the
