@@ -632,7 +632,8 @@ static bool
 may_be_row_of_sieve(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 {
 	return is_sieve_size_or_pan_cell(g, r, c) ||
-	       (is_cell_filled(g, r, c) && is_row_without_sieve(g, r, c, end));
+	       (strpbrk(cell_at(g, r, c)->text, "0123456789") != NULL &&
+		   is_row_without_sieve(g, r, c, end));
 }
 
 /* Finds the last sieve of a table, and its score.  A blank line ends the table
