@@ -73,6 +73,8 @@ static const char *const SAME[] = {
     "Siktanalys, 3 maj\n;;;\nSikt mm;Feed %;Produkt 69 m/s;Produkt 79 m/s\n"
     "8;100,0 %;100\xC2\xA0%;100%\n4;60,0 %;80;90\n1;10;20 %;30\n;;;\nSumma;170;"
     "200;220\nSignatur;;;\n",
+    "Sieve mm;Feed;69 m/s;79 m/s\n#;1;2;3\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\n",
     "Prov 17;;;;\nSikt mm;Feed g;69 m/s g;79 m/s g;\n8;0;0;0;\n4;800;"
     "1 250;10 000;\n1;1 000,0;3\xC2\xA0"
     "750;60\xE2\x80\xAF"

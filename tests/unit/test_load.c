@@ -351,7 +351,7 @@ columns_are_those_of_the_table(void **state)
 			WHAT[i]);
 		assert_false(desk_say(desk, line));
 		assert_non_null(
-		    strstr(desk->error.text, "columns of the table"));
+		    strstr(desk->error.text, "columns with numbers"));
 	}
 }
 

@@ -163,6 +163,8 @@ static const struct {
     {"Sieve,feed,product@69\n1 1/2,100,100\n3/4 in,60,80\n3/8 in,40,60\n"
      "No. 4,10,20\n",
 	2, 1, "sieve size or pan, got '1 1/2'", "write inches"},
+    {"Sieve mm,feed g,69 m/s g\n16*,10,5\n8,30,20\n4,40,50\npan,20,25\n", 2, 1,
+	"sieve size or pan, got '16*'", "number alone"},
     {"Quarry:,,A,B\n" TOP ROWS, 2, 14, "those of 'A' and 'B'", "3=product@69"},
     {"Crusher :,,1,2\nQuarry,,A,A\n" TOP ROWS, 3, 14, "those of '1' and '2'",
 	"3=product@69"},

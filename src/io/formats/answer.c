@@ -827,19 +827,6 @@ free_table_layout(struct form *f)
 	free(f->number);
 }
 
-/* Prints the last cell of a row, wrapped within its own column. */
-static void
-print_wrapped_cell(const char *text, int indent, int room, FILE *out)
-{
-	FREED char *lines = NULL;
-	size_t n = 0;
-	FILE *memory = text_open_memory(&lines, &n);
-	text_print_wrapped(text, indent, room, memory);
-	fclose(memory);
-	if (n > (size_t)indent)
-		fprintf(out, "%.*s", (int)n - indent - 1, lines + indent);
-}
-
 /* Columns of a table that are printed side by side: the key columns, and those
  * from `from` to before `to`. */
 struct block {
@@ -903,7 +890,14 @@ answer_print_row(const struct table *t, const struct form *f, size_t row,
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
 		if (indent > 0 && c + 1 == t->n_column) {
-			print_wrapped_cell(text, indent, f->room, out);
+			FREED char *lines = NULL;
+			size_t n = 0;
+			FILE *memory = text_open_memory(&lines, &n);
+			text_print_wrapped(text, indent, f->room, memory);
+			fclose(memory);
+			if (n > (size_t)indent)
+				fprintf(out, "%.*s", (int)n - indent - 1,
+				    lines + indent);
 			return;
 		}
 		bool last = c + 1 == block.to && between[1] != '|';

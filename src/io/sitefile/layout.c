@@ -629,6 +629,15 @@ is_row_without_sieve(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 	return !g->gap[r] && !word && has_number_beside(g, r, c, end);
 }
 
+/* True if row r has a sieve, or numbers and one that cannot be read, "16*". */
+static bool
+may_be_row_of_sieve(const struct sheet_grid *g, size_t r, size_t c, size_t end)
+{
+	return is_sieve_size_or_pan_cell(g, r, c) ||
+	       (strpbrk(cell_at(g, r, c)->text, "0123456789") != NULL &&
+		   is_row_without_sieve(g, r, c, end));
+}
+
 /* Finds the last sieve of a table, and its score.  A blank line ends the table
  * unless another sieve follows, and so does a line of sums.  The heading of
  * another table always ends it. */
@@ -763,11 +772,11 @@ find_tables_with_headings(struct sheet_grid *g)
 			g->phi[c] = g->phi[c] || is_phi_heading(g, r, c);
 			while (p.first < g->n_row &&
 			       p.first < r + 1 + MOST_HEADS &&
-			       !is_sieve_size_or_pan_cell(g, p.first, c) &&
+			       !may_be_row_of_sieve(g, p.first, c, end) &&
 			       !is_sieve_heading(g, p.first, c))
 				p.first++;
 			if (p.first == g->n_row ||
-			    !is_sieve_size_or_pan_cell(g, p.first, c))
+			    !may_be_row_of_sieve(g, p.first, c, end))
 				continue;
 			find_table_end(g, &p);
 			/* "Sieve analysis" is a title above other headings. */
@@ -944,9 +953,8 @@ find_tables_in_column(struct sheet_grid *g, size_t c)
 {
 	for (size_t r = 0;
 	     r < g->n_row && !error_is_stop_requested(g->sheet->errors); r++) {
-		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0, false};
-		if (sieve_kind_of_cell(g, r, c, &mm) == SIEVE_IS_NONE ||
+		if (!may_be_row_of_sieve(g, r, c, g->n_col) ||
 		    !has_number_beside(g, r, c, g->n_col))
 			continue;
 		find_table_end(g, &p);

@@ -65,8 +65,9 @@ parse_mixed_fraction(const char **text)
 {
 	double whole = 0, part = 0, of = 1;
 	int n = 0;
-	if (sscanf(*text, "%lf%*[ -]%lf / %lf%n", &whole, &part, &of, &n) ==
-	    3) {
+	int got =
+	    sscanf(*text, "%lf%*1[ -]%lf / %lf%n", &whole, &part, &of, &n);
+	if (got == 3 && part > 0) { /* not 1 - 3/8, which is a class */
 		*text += n;
 		return whole + part / of;
 	}

@@ -370,17 +370,6 @@ check_stated_total(
 	    100 * MASS_TOLERANCE);
 }
 
-static double
-fault_no_pan(struct column *c)
-{
-	sheet_report_fault(c->table->sheet, c->head,
-	    "expected the mass in the pan, got none in column %s\n"
-	    "add a last row: pan, with the mass below the finest sieve "
-	    "(0 if there was none), or a row total with the mass sieved",
-	    c->head.text);
-	return 0;
-}
-
 /* Returns the mass put on the sieves, in the column's unit, or 0 after a
  * fault. */
 static double
@@ -395,8 +384,15 @@ total_mass_on_sieves(struct column *c)
 	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
+	if (isnan(c->pan) && isnan(total) && c->twin == 0)
+		sheet_report_fault(c->table->sheet, c->head,
+		    "expected the mass in the pan, got none in column %s\n"
+		    "add a last row: pan, with the mass below the finest sieve "
+		    "(0 if there was none), or a row total with the mass "
+		    "sieved",
+		    c->head.text);
 	if (isnan(c->pan) && isnan(total)) /* a twin is not needed */
-		return c->twin > 0 ? 0 : fault_no_pan(c);
+		return 0;
 	if (cumulative)
 		return total;
 	if (isnan(c->pan) && total < sum * (1 - MASS_TOLERANCE)) {
