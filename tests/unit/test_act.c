@@ -1827,12 +1827,27 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 		assert_string_equal(tui_current_site_entry(t)->key, "tierp");
 		assert_true(tui_current_site_entry(t)->fit.misfit == best);
 	}
-	/* Nothing was taken, so that nothing is undone and brought back. */
+	/* The last way is to quit, or a signal. */
+	type(t, "1f..");
+	control_close_screen(t);
+	assert_false(session_is_calibrating(s));
+	assert_true(session_current_site_entry(s)->fit.misfit == best);
+	control_open_screen(t, s, &SCRIPT_CALLBACKS);
+}
+
+/* With a better fit before, nothing is taken, undone or brought back. */
+static void
+what_stops_a_search_says_so(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk,
+	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate");
+	t->session->hooks.confirm = says_yes;
+	control_discard_outdated_state(t);
 	type(t, "1f..u");
 	assert_non_null(strstr(t->message, "cannot be continued"));
 	assert_null(strstr(t->message, "U brings"));
-	assert_true(tui_current_site_entry(t)->fit.misfit == best);
-	/* Each says so, too. */
 	type(t, "1f..5");
 	t->ui.list[PAGE_SITES].at = 0;
 	type(t, "\n");
@@ -1842,12 +1857,6 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	assert_non_null(strstr(t->message, "the calibration was stopped"));
 	press(t, "Esc");
 	press(t, "Esc");
-	/* The last way is to quit, or a signal. */
-	type(t, "1f..");
-	control_close_screen(t);
-	assert_false(session_is_calibrating(s));
-	assert_true(session_current_site_entry(s)->fit.misfit == best);
-	control_open_screen(t, s, &SCRIPT_CALLBACKS);
 }
 
 static volatile sig_atomic_t stops;
@@ -2079,6 +2088,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(a_shows_the_answer_of_the_correction),
     ON_STAGE(a_line_stops_no_search_unsaid),
     ON_STAGE(no_way_to_stop_a_search_loses_a_better_fit),
+    ON_STAGE(what_stops_a_search_says_so),
     ON_STAGE(a_size_is_one_number_everywhere),
     ON_STAGE(undo_says_what_it_took_and_how_it_comes_back),
     ON_STAGE(what_was_unpinned_can_be_pinned_again),
