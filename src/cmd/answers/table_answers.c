@@ -293,8 +293,8 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "A condition is a quantity of figures and a limit, with quotes or "
-	    "without: \"passing 2 = 40..50\", \"passing 0.063 < 6\", \"P80 > "
-	    "5\", \"0/2 >= 30\", \"fm EN of 0/4 = 2.4..3.1\"; < and <= are the "
+	    "without: \"passing 2 = 40..50\", \"over 8 < 10\", \"P80 > 5\", "
+	    "\"0/2 >= 30\", \"fm EN of 0/4 = 2.4..3.1\"; < and <= are the "
 	    "same. Without quotes, a > between a quantity and a number is a "
 	    "limit. spec= adds the limits of a grading envelope, including its "
 	    "standard's limits on the fineness modulus and between two sieves; "

@@ -775,14 +775,13 @@ bool
 cmd_add(struct session *s, const struct args *args, struct error *error)
 {
 	const struct site *site = session_current_site_entry(s)->site;
-	double day, rotor = site->rotor;
+	double day,
+	    rotor = args->rotor_mm > 0 ? args->rotor_mm / 1000 : site->rotor;
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
 	FREED const char **word = xcalloc(args->n_operand, sizeof(*word));
 	bool good = parse_cut_date(
 	    args->date, day_month_order_given(args, site), &day, error);
-	if (args->rotor_mm > 0)
-		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
 		good = look_up_cut_speed_in_log(s, args, args->operand[i], day,
 		    rotor, &all.file[all.n++], error);

@@ -60,7 +60,7 @@ command_by_line_of_answer(const struct row *row)
 			return "predict";
 	if (row->n > 3 && strcmp(first, "name") == 0 &&
 	    strcmp(row->cell[1].text, "site") == 0 &&
-	    strcmp(row->cell[2].text, "rock") == 0)
+	    strcmp(row->cell[3].text, "top_size_mm") == 0)
 		return "store export";
 	bool plot =
 	    (strcmp(first, "series") == 0 && strcmp(last, "high") == 0) ||
