@@ -602,14 +602,12 @@ find_run_with_feed(const struct site *site, const char *word, double speed,
 		    site->path, speed, speed);
 	else if (speed > 0 && !several)
 		error_set(error, ERROR_DATA,
-		    "%s: expected the speed of one of its samples, got %g "
-		    "m/s\n"
+		    "%s: expected the speed of one of its samples, got %g m/s\n"
 		    "it has %s m/s, all with one feed: leave out @%g",
 		    site->path, speed, speeds, speed);
 	else if (speed > 0)
 		error_set(error, ERROR_DATA,
-		    "%s: expected the speed of one of its samples, got %g "
-		    "m/s\n"
+		    "%s: expected the speed of one of its samples, got %g m/s\n"
 		    "it has %s m/s",
 		    site->path, speed, speeds);
 	else

@@ -261,9 +261,8 @@ show_typed_quantity(struct tui *t, const char *text)
 		close_goal_field(t);
 		if (goals_is_set(t->session))
 			tui_set_message(t, false,
-			    "above the track now: %s; the goal "
-			    "stays %s",
-			    text, t->session->set.goal);
+			    "above the track now: %s; the goal stays %s", text,
+			    t->session->set.goal);
 	} else if (ok) {
 		tui_set_message(t, true, "%s: %s", error.text, error.hint);
 	}
