@@ -31,7 +31,7 @@ feed_find_run_sampled_at_speed(
 	return *feed != SITE_MEAN_FEED ||
 	       error_set(error, ERROR_USAGE,
 		   "%s has no feed sampled at %g m/s%s\n"
-		   "run 'show feed' for its feeds",
+		   "'show feed' shows them, 'set feed mean' takes their mean",
 		   site->name, speed, rpm);
 }
 

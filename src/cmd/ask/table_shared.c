@@ -23,7 +23,7 @@ const struct command_option SHARED_MACHINE[] = {
 	"share of the feed that bypasses the rotor, in addition to that of the "
 	"measured runs; assumed uncrushed, which gives the coarsest possible "
 	"product"},
-    {NUMBER(k), "", 0.01, 100, NULL, "",
+    {NUMBER(k), "", 0.001, 1000, NULL, "",
 	"impacts per particle; default: as set by 'set k'"},
     {CHOICE(correction), "all train off", "",
 	"runs that correct the model, for this answer; default: as set"},

@@ -235,16 +235,19 @@ cmd_params(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "params %s: unexpected word '%s'", verb, args->operand[1]);
 	const struct command_option *o;
-	for (size_t j = 0; !VERBS[i].values &&
-			   (o = command_option_at(args->command, j)) != NULL;
-	     j++) {
-		if (!args->value[j].given)
-			continue;
+	size_t j = 0;
+	while ((o = command_option_at(args->command, j)) != NULL &&
+	       !args->value[j].given)
+		j++;
+	if (o != NULL && !VERBS[i].values)
 		return error_set(error, ERROR_USAGE,
 		    "params %s: expected no values, got %s=\n"
 		    "write params set %s=VALUE",
 		    verb, o->name, o->name);
-	}
+	if (o == NULL && VERBS[i].values)
+		return error_set(error, ERROR_USAGE,
+		    "params set: expected a parameter and its value\n"
+		    "write: params set f_mat=2.18 e0_min=16.74 alpha=0.96");
 	return VERBS[i].run(s, args, error);
 }
 
