@@ -104,8 +104,8 @@ run_weights_pull_the_fit_to_a_run(void **state)
 	const struct entry *entry = session_current_site_entry(desk->session);
 	double rmse[2];
 	static const char *const lines[] = {
-	    "calibrate seed=1 run_weights=100,1",
-	    "calibrate seed=1 run_weights=1,100"};
+	    "calibrate seed=1 population=600 run_weights=100,1",
+	    "calibrate seed=1 population=600 run_weights=1,100"};
 	for (size_t i = 0; i < 2; i++) {
 		assert_true(desk_say(desk, lines[i]));
 		rmse[i] = validate_run(entry->site, 0, entry->train,
@@ -292,7 +292,7 @@ the_paper_preset_says_what_it_leaves(void **state)
 	assert_null(strstr(desk->out, "good fit"));
 	assert_non_null(strstr(desk->out, "trust: amber: the search ended"));
 	assert_true(desk_say(desk, "bounds default"));
-	assert_true(desk_say(desk, "calibrate seed=3"));
+	assert_true(desk_say(desk, "calibrate seed=3 population=600"));
 	assert_true(fabs(fit->misfit / lowest - 1) < 1e-9);
 	assert_true(fit->lowest == 0);
 }
@@ -337,7 +337,8 @@ standard_deviations_weigh_when_asked_for(void **state)
 			run->product_sd[i] = 0.004 + 0.001 * (double)i;
 	}
 	static const char *const lines[] = {
-	    "calibrate weights=off", "calibrate weights=sd"};
+	    "calibrate population=600 weights=off",
+	    "calibrate population=600 weights=sd"};
 	for (size_t i = 0; i < 2; i++) {
 		assert_true(desk_say(desk, lines[i]));
 		struct misfit *m = misfit_new(entry->site, entry->train, NULL,

@@ -51,7 +51,7 @@ struct breaker {
 	double k, v, E; /* impacts; m/s; J/kg */
 	struct impacts impacts;
 	struct appearance appearance;
-	double own[4];
+	double own[3];
 };
 
 struct continuous_solver;

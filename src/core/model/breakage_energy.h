@@ -8,9 +8,9 @@
 #include "base/tr.h"
 #include "core/model/breakage_grunditz.h"
 
-/* Indices of further own values: (E / E_ref)^-gamma, ln (E / E_ref) and,
+/* Indices of the breaker's own values: (E / E_ref)^-gamma, ln (E / E_ref) and,
  * in grunditz-t10, (E / E_ref)^kappa. */
-enum { OWN_GAMMA = OWN_SCALE + 1, OWN_LOG_RATIO, OWN_KAPPA };
+enum { OWN_GAMMA, OWN_LOG_RATIO, OWN_KAPPA };
 
 #define ENERGY_PARAMETERS                                                  \
 	{"gamma", "-", 0, 2, -10, 10, 0,                                   \

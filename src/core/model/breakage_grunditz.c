@@ -21,8 +21,6 @@ grunditz_compute_breaker_constants(struct breaker *b)
 	struct params scaled = b->p;
 	params_scale_largest_beta_to_1(&scaled);
 	b->appearance = appearance_from_beta(scaled.beta);
-	b->own[OWN_SCALE] =
-	    1 / (b->appearance.total * params_largest_beta(&b->p));
 }
 
 double
@@ -38,8 +36,9 @@ grunditz_progeny_share_finer(const struct breaker *b, double log_u, double *d)
 	double B = sum / a->total;
 	if (d == NULL)
 		return B;
+	double scale = 1 / (a->total * params_largest_beta(&b->p));
 	for (size_t i = 0; i < 4; i++)
-		d[i] += (parts[i] - B * a->whole[i]) * b->own[OWN_SCALE];
+		d[i] += (parts[i] - B * a->whole[i]) * scale;
 	return B;
 }
 

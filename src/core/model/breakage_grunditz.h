@@ -17,10 +17,6 @@
 		    "appearance: term in u cubed", 0                           \
 	}
 
-/* Index of the breaker's own value: the factor of B's derivatives with respect
- * to beta. */
-enum { OWN_SCALE };
-
 /* See the fields of that name in struct breakage. */
 void grunditz_compute_breaker_constants(struct breaker *b);
 double grunditz_progeny_share_finer(

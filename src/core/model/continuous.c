@@ -192,8 +192,7 @@ find_interpolation_nodes(
 	return c->node + first * c->row;
 }
 
-/* Interpolates the columns of a row of the table, with weights for four
- * rows.  Compilers can vectorise the inner loop. */
+/* Interpolates between four rows of the table, which have these weights. */
 static inline void
 interpolate_table_row(const struct continuous_solver *c,
     const double *restrict first, const double weight[static 4],

@@ -37,8 +37,8 @@ struct continuous_solver {
 	struct point *point;
 	struct moments *above; /* [n_edge], for the paper's model, else NULL */
 	/* B at nodes in equal steps of ln u down from 0, with its derivatives
-	 * with respect to the n_moved parameters on which it depends.  row: the
-	 * length of a row, which is 1 + n_moved or a little more. */
+	 * with respect to the n_moved parameters on which it depends; rows of
+	 * `row`, 1 + n_moved or a little more. */
 	size_t n_node, n_moved, moved[PARAMS_MOST], row;
 	double *node;
 };
