@@ -168,19 +168,18 @@ combine_column_headings(const struct table *t, size_t c)
 }
 
 /* True if a column has a heading of unknown words, such as "Costs", in a row
- * that says what other columns are. */
+ * that says what the column to its left is. */
 static bool
-is_heading_unlike_others_in_row(const struct table *t, size_t at)
+is_heading_unlike_left_one(const struct table *t, size_t at)
 {
 	for (size_t r = 0; r < t->n_head; r++) {
-		struct head own = heading_parse(t->head[r].cell[at].text);
-		if (own.unknown == 0 || heading_has_speed(&own) ||
-		    (own.means & ROLE_WORDS) != 0)
-			continue;
-		for (size_t c = 1; c < t->n_col; c++)
-			if ((heading_parse(t->head[r].cell[c].text).means &
-				(WORD_PRODUCT | KIND_WORDS)) != 0)
-				return true;
+		const struct cell *cell = &t->head[r].cell[at];
+		struct head own = heading_parse(cell->text);
+		struct head left = heading_parse(cell[-1].text);
+		if (own.unknown > 0 && !heading_has_speed(&own) &&
+		    (own.means & (ROLE_WORDS | KIND_WORDS)) == 0 &&
+		    (left.means & (WORD_PRODUCT | KIND_WORDS)) != 0)
+			return true;
 	}
 	return false;
 }
@@ -673,8 +672,8 @@ infer_column_role(struct column *c, const struct surroundings *near)
 	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
 	bool speed = heading_has_speed(&c->said);
 	c->role = NO_ROLE;
-	c->open = c->open || (c->said.spread && is_heading_unlike_others_in_row(
-						    c->table, c->at));
+	c->open = c->open || (c->said.spread &&
+				 is_heading_unlike_left_one(c->table, c->at));
 	if ((role & WORD_SD) != 0)
 		c->role = SD;
 	else if (role == WORD_FEED)

@@ -505,3 +505,72 @@ heading_without_speeds(const char *text)
 	parse_heading_text(text, &left);
 	return left;
 }
+
+/* True if a word of n bytes is, or begins with, a number that counts or dates
+ * something; not if it has a unit, or one follows at `next`, or it is a range
+ * of sizes. */
+static bool
+is_unitless_number(const char *word, size_t n, const char *next)
+{
+	size_t digits = 0, more;
+	while (digits < n && strchr("0123456789.", word[digits]) != NULL)
+		digits++;
+	if (digits == 0)
+		return false;
+	FREED char *tail = xstrndup(word + digits, n - digits);
+	bool range = (tail[0] == '/' || tail[0] == '-') &&
+		     strspn(tail + 1, "0123456789.,") == strlen(tail) - 1;
+	lexicon_text_meanings(tail, &more);
+	bool unit =
+	    tail[0] != '\0' && strpbrk(tail, "0123456789") == NULL && more == 0;
+	size_t follows = strcspn(next, " ,;:()[]@\n");
+	bool measured = digits == n && follows > 0 &&
+			(lexicon_word_meanings(next, follows) &
+			    (WORD_MM | WORD_UM | WORD_M | WORD_INCH |
+				WORD_GRAMS | WORD_PERCENT)) != 0;
+	return !range && !unit && !measured;
+}
+
+/* True if a word is a name: it is unknown, or has a number that is not a
+ * measurement. */
+static bool
+is_word_a_name(const char *word, size_t n, const char *next)
+{
+	FREED char *copy = xstrndup(word, n);
+	size_t unknown;
+	lexicon_text_meanings(copy, &unknown);
+	bool letters = strpbrk(copy, "0123456789") == NULL;
+	bool own = !letters && strspn(copy, "0123456789") == 0;
+	return letters ? unknown > 0 && n > 1
+		       : own || is_unitless_number(word, n, next);
+}
+
+/* True if text a contains a name that is not a word of b.  Both are folded. */
+static bool
+has_name_absent_from_other(const char *a, const char *b)
+{
+	static const char ENDS[] = " ,;:()[]@\n";
+	for (const char *p = a; *p != '\0';) {
+		size_t n = strcspn(p, ENDS);
+		const char *next = p + n + strspn(p + n, ENDS);
+		bool found = n == 0 || !is_word_a_name(p, n, next);
+		for (const char *q = b; *q != '\0' && !found;) {
+			size_t m = strcspn(q, ENDS);
+			found = m == n && strncmp(p, q, n) == 0;
+			q += m + strspn(q + m, ENDS);
+		}
+		if (!found)
+			return true;
+		p = next;
+	}
+	return false;
+}
+
+bool
+heading_names_differ(const char *a, const char *b)
+{
+	FREED char *one = heading_without_speeds(a),
+		   *other = heading_without_speeds(b);
+	return has_name_absent_from_other(one, other) &&
+	       has_name_absent_from_other(other, one);
+}

@@ -51,6 +51,10 @@ enum speed_unit heading_speed_unit(const struct head *head);
  * text_fold_case_and_accents.  The caller frees it. */
 char *heading_without_speeds(const char *text);
 
+/* True if two texts contain different names of machines, days and the like:
+ * each has some that the other does not have. */
+bool heading_names_differ(const char *a, const char *b);
+
 /* True if a byte is a letter, or beyond ASCII and so taken for part of one. */
 bool text_is_letter_byte(char c);
 

@@ -49,11 +49,10 @@ struct place {
  * be.  In these arrays a row is `down` after the one above, and a column
  * `right` after the one before, so the transposed grid shares them.
  * bare_below: the first column has sizes -16, -11.2, below which material
- * passes.  gap [n_row]: there is an empty line above the row.  apart [n_col]:
- * the gaps of the grid that was transposed, or NULL.  number [n_row * n_col],
- * row by row: the first column, from this one on, that has a number, or n_col.
- * phi [n_col]: the sizes of the column are in phi.  place [n_place]: the tables
- * found. */
+ * passes.  gap [n_row]: there is an empty line above the row.  number
+ * [n_row * n_col], row by row: the first column, from this one on, that has a
+ * number, or n_col.  phi [n_col]: the sizes of the column are in phi.  place
+ * [n_place]: the tables found. */
 struct sheet_grid {
 	struct sheet *sheet;
 	bool across, bare_below;
@@ -61,7 +60,6 @@ struct sheet_grid {
 	struct cell *at;
 	struct nature *nature;
 	bool *gap, *phi;
-	const bool *apart;
 	unsigned *number;
 	size_t n_place;
 	struct place place[MOST_TABLES];
@@ -483,7 +481,6 @@ transpose_sheet_grid(const struct sheet_grid *g)
 	    .at = g->at,
 	    .nature = g->nature};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
-	t.apart = g->gap;
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
 	find_next_number_of_each_cell(&t);
 	return t;
@@ -772,7 +769,9 @@ find_tables_with_headings(struct sheet_grid *g)
 			g->phi[c] = g->phi[c] || is_phi_heading(g, r, c);
 			while (p.first < g->n_row &&
 			       p.first < r + 1 + MOST_HEADS &&
-			       !may_be_row_of_sieve(g, p.first, c, end) &&
+			       !is_sieve_size_or_pan_cell(g, p.first, c) &&
+			       !(p.first < r + 4 &&
+				   may_be_row_of_sieve(g, p.first, c, end)) &&
 			       !is_sieve_heading(g, p.first, c))
 				p.first++;
 			if (p.first == g->n_row ||
@@ -1046,6 +1045,19 @@ append_sheet_table_row(const struct sheet_grid *g, size_t r, struct table *t,
 	(*list)[(*n_list)++] = row;
 }
 
+/* True if a line above the sieves, which are in a line too, has at most one of
+ * their cells and is no sample: "Rotor mm; 840". */
+static bool
+is_key_above_sieves(const struct sheet_grid *g, const struct place *p, size_t c)
+{
+	uint64_t means = cell_classification_at(g, 0, c)->means;
+	size_t cells = 0;
+	for (size_t r = p->first; r < p->last; r++)
+		cells += is_cell_filled(g, r, c);
+	return g->across && c < p->c && cells < 2 &&
+	       (means & (WORD_FEED | WORD_PRODUCT)) == 0;
+}
+
 /* Lists the columns of a table that are not empty: its sieves, then those from
  * column `from` to before `end`. */
 static void
@@ -1056,14 +1068,6 @@ list_filled_columns(const struct sheet_grid *g, const struct place *p,
 	t->column[t->n_col++] = p->c;
 	size_t first = p->head < g->n_row ? p->head : p->first;
 	bool empty = false;
-	/* If the samples are in lines, none is above an empty line, or above
-	 * one such as "Rotor mm; 840". */
-	for (size_t c = p->c; c > from && g->across; c--) {
-		size_t cells = 0;
-		for (size_t r = p->first; r < p->last; r++)
-			cells += is_cell_filled(g, r, c - 1);
-		from = g->apart[c] || cells < 2 ? c : from;
-	}
 	for (size_t c = from; c < end; c++) {
 		bool filled = false, headed = false;
 		for (size_t r = first; r < p->last; r++)
@@ -1075,7 +1079,7 @@ list_filled_columns(const struct sheet_grid *g, const struct place *p,
 		if (c > p->c && empty && filled && !headed)
 			break;
 		empty = !filled;
-		if (c != p->c && filled)
+		if (c != p->c && filled && !is_key_above_sieves(g, p, c))
 			t->column[t->n_col++] = c;
 	}
 	t->number = xcalloc(t->n_col, sizeof *t->number);
@@ -1151,11 +1155,11 @@ can_head_speeds(
 	       first.unknown == 0 && (first.means & ELSE) == 0;
 }
 
-/* True if row r, further above a table or below it, has speeds of at least this
- * many of its columns, and none elsewhere. */
+/* True if row r, below a table, has speeds of its columns; or, further above,
+ * of several of them and of nothing else. */
 static bool
 has_speeds_of_columns(const struct sheet_grid *g, size_t r,
-    const struct place *p, const struct table *t, size_t least)
+    const struct place *p, const struct table *t, bool above)
 {
 	size_t all = 0, own = 0, i = 1;
 	bool units = true;
@@ -1171,7 +1175,8 @@ has_speeds_of_columns(const struct sheet_grid *g, size_t r,
 		own += speed && i < t->n_col && t->column[i] == c;
 		units = units && (unit || !speed);
 	}
-	return own >= least && own == all && can_head_speeds(g, r, p, units);
+	return own > above && (own == all || !above) &&
+	       can_head_speeds(g, r, p, units);
 }
 
 /* Inserts row r, with the speeds of the samples, below the heading of the
@@ -1202,7 +1207,7 @@ add_rows_below_sieves(
 		for (size_t i = 0; i < g->n_place && g->gap[r]; i++)
 			if (g->place[i].first > r)
 				return;
-		if (t->n_head == 0 || !has_speeds_of_columns(g, r, p, t, 1))
+		if (t->n_head == 0 || !has_speeds_of_columns(g, r, p, t, false))
 			break;
 		insert_row_of_speeds(g, r, t);
 	}
@@ -1216,7 +1221,7 @@ add_speeds_further_above(const struct sheet_grid *g, const struct place *p,
 {
 	for (size_t r = top; r-- > 0 && t->n_head > 0 &&
 			     !cell_classification_at(g, r, p->c)->used;)
-		if (has_speeds_of_columns(g, r, p, t, 2))
+		if (has_speeds_of_columns(g, r, p, t, true))
 			insert_row_of_speeds(g, r, t);
 }
 

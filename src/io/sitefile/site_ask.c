@@ -336,7 +336,7 @@ is_table_of_same_site(
 		return false;
 	FREED char *line = title_feed_or_last_line(s->table[feed]),
 		   *own = title_feed_or_last_line(t);
-	bool same = !title_names_differ(line, own);
+	bool same = !heading_names_differ(line, own);
 	return same && (like == NULL || (!t->strange && !like->strange) ||
 			   title_differs_only_in_speed(like, t));
 }

@@ -32,7 +32,7 @@ site_heading_set_site_field(struct site *site, enum lexicon_key key,
 	if (key != KEY_TOP_SIZE) {
 		const char *before = *text[key]; /* of another sheet or file */
 		bool other = key != KEY_PROVENANCE && before[0] != '\0' &&
-			     !text_is_same_folded(before, cell.text);
+			     heading_names_differ(before, cell.text);
 		if (other)
 			xappend_to_list(&site->remark, "; ",
 			    tr("read as one site, though its sheets state "
@@ -297,8 +297,8 @@ set_site_field(struct site *site, struct sheet *sheet, enum lexicon_key k,
 		    "with #, or put names of single products directly above "
 		    "the headings; with decimal commas, separate the cells "
 		    "with ;");
-	else if (*seen > 0 &&
-		 (known[k] == NULL || strcmp(known[k], value.text) != 0))
+	else if (*seen > 0 && (known[k] == NULL ||
+				  !text_is_same_folded(known[k], value.text)))
 		sheet_report_fault(sheet, key,
 		    "duplicate key: %s is already in line %d\n"
 		    "remove one of the two lines",
@@ -368,7 +368,7 @@ names_other_site(const struct site *site, const struct row *row)
 		return false;
 	enum lexicon_key k = lexicon_site_key_of_text(key.text);
 	return k < ARRAY_LEN(own) && own[k][0] != '\0' &&
-	       !text_is_same_folded(own[k], value.text);
+	       heading_names_differ(own[k], value.text);
 }
 
 void

@@ -284,7 +284,7 @@ set_or_ask_top_size(struct reading *r, struct site_ask *ask)
 static const struct column *
 check_rpm_agree_with_speed(const struct column *c, const struct column *first)
 {
-	const double ROUNDED_OFF = 0.02;
+	const double ROUNDED_OFF = 0.05;
 	const struct head *a = first != NULL ? &first->said : &c->said;
 	if (!(c->said.speed > 0) || !(c->said.rpm > 0))
 		return first;

@@ -33,10 +33,6 @@ bool title_has_speed_per_table(const struct layout *layout);
 uint64_t title_read_role_and_speed(const struct layout *layout, struct table *t,
     const char *path, struct surroundings *near);
 
-/* True if two titles contain different names of machines, days and the like:
- * each has some that the other does not have. */
-bool title_names_differ(const char *a, const char *b);
-
 /* True if the titles of two tables differ only in speed.  Above the first there
  * may be further lines, about all of the sheet. */
 bool title_differs_only_in_speed(const struct table *a, const struct table *b);
