@@ -250,7 +250,8 @@ name_passing_of_size(const char *text)
 	bool retained;
 	size_t word = length_of_passing_word(text, &retained);
 	const char *size = text + word, *unit = size + strspn(size, SIZE);
-	bool named = unit > size && (word > 0 || strncmp(unit, "mm", 2) == 0) &&
+	bool named = size + strcspn(size, "0123456789") < unit &&
+		     (word > 0 || strncmp(unit, "mm", 2) == 0) &&
 		     strpbrk(unit, "<>=") != NULL;
 	return named && !retained ? xasprintf("passing %s", size)
 				  : xstrdup(text);
@@ -524,7 +525,7 @@ conditions_parse_search_range(const struct session *s, const struct args *args,
 	*to = args->to > 0 ? args->to : *to;
 	if (*from < *to)
 		return true;
-	double low = args->from > 0 ? *from : fmax(*to - 10, 1),
+	double low = args->from > 0 ? *from : fmax(*to - 10, *to / 2),
 	       high = args->from > 0 ? *from + 10 : *to;
 	bool swap = args->from > 0 && args->to > 0 && *from > *to;
 	return error_set(error, ERROR_USAGE,

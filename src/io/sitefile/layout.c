@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "io/cells/datetime.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/sieve_size.h"
 #include "io/sitefile/lexicon.h"
@@ -630,8 +631,11 @@ is_row_without_sieve(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 static bool
 may_be_row_of_sieve(const struct sheet_grid *g, size_t r, size_t c, size_t end)
 {
+	const struct cell *cell = cell_at(g, r, c);
+	struct datetime m;
+	bool day = cell->kind == CELL_TEXT && datetime_parse(cell->text, &m);
 	return is_sieve_size_or_pan_cell(g, r, c) ||
-	       (strpbrk(cell_at(g, r, c)->text, "0123456789") != NULL &&
+	       (!day && strpbrk(cell->text, "0123456789") != NULL &&
 		   is_row_without_sieve(g, r, c, end));
 }
 
@@ -1156,15 +1160,15 @@ can_head_speeds(
 }
 
 /* True if row r, below a table, has speeds of its columns; or, further above,
- * of several of them and of nothing else. */
+ * of several of them and of nothing else, which can be those of a rotor. */
 static bool
 has_speeds_of_columns(const struct sheet_grid *g, size_t r,
     const struct place *p, const struct table *t, bool above)
 {
 	size_t all = 0, own = 0, i = 1;
-	bool units = true;
+	bool units = true, fast = true;
 	for (size_t c = p->c + 1; c < g->n_col; c++) {
-		double number;
+		double number = 0;
 		struct head said = heading_parse(cell_at(g, r, c)->text);
 		bool unit = heading_has_speed(&said);
 		bool speed =
@@ -1174,8 +1178,10 @@ has_speeds_of_columns(const struct sheet_grid *g, size_t r,
 		all += speed;
 		own += speed && i < t->n_col && t->column[i] == c;
 		units = units && (unit || !speed);
+		fast = fast && (!speed || number >= 20 || said.speed >= 20 ||
+				   said.rpm >= 20);
 	}
-	return own > above && (own == all || !above) &&
+	return own > above && (own == all || !above) && (fast || !above) &&
 	       can_head_speeds(g, r, p, units);
 }
 
@@ -1213,16 +1219,26 @@ add_rows_below_sieves(
 	}
 }
 
-/* Adds rows of speeds that other lines separate from the headings below, up to
- * the table above. */
+/* Adds the nearest row of speeds that other lines separate from the headings
+ * below, unless these state speeds themselves. */
 static void
 add_speeds_further_above(const struct sheet_grid *g, const struct place *p,
     size_t top, struct table *t)
 {
-	for (size_t r = top; r-- > 0 && t->n_head > 0 &&
-			     !cell_classification_at(g, r, p->c)->used;)
-		if (has_speeds_of_columns(g, r, p, t, true))
+	bool stated = t->n_head == 0;
+	for (size_t i = 0; i < t->n_head; i++)
+		for (size_t c = 0; c < t->n_col; c++) {
+			struct head said =
+			    heading_parse(t->head[i].cell[c].text);
+			stated = stated || heading_has_speed(&said) ||
+				 (c == 0 && (said.means & WORD_SPEED) != 0);
+		}
+	for (size_t r = top;
+	     r-- > 0 && !stated && !cell_classification_at(g, r, p->c)->used;)
+		if (has_speeds_of_columns(g, r, p, t, true)) {
 			insert_row_of_speeds(g, r, t);
+			return;
+		}
 }
 
 /* Adds row r, above the sieves, to the headings, or a sum to the foot.  title:

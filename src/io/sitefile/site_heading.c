@@ -22,6 +22,16 @@
 static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
 
+/* True if two names of sites, rocks or machines differ in their first words, or
+ * contain different names. */
+static bool
+do_names_differ(const char *a, const char *b)
+{
+	FREED char *one = xstrndup(a, strcspn(a, " ,;")),
+		   *other = xstrndup(b, strcspn(b, " ,;"));
+	return !text_is_same_folded(one, other) || heading_names_differ(a, b);
+}
+
 /* Returns true if the key had another value in an earlier sheet. */
 static bool
 site_heading_set_site_field(struct site *site, enum lexicon_key key,
@@ -32,7 +42,7 @@ site_heading_set_site_field(struct site *site, enum lexicon_key key,
 	if (key != KEY_TOP_SIZE) {
 		const char *before = *text[key]; /* of another sheet or file */
 		bool other = key != KEY_PROVENANCE && before[0] != '\0' &&
-			     heading_names_differ(before, cell.text);
+			     do_names_differ(before, cell.text);
 		if (other)
 			xappend_to_list(&site->remark, "; ",
 			    tr("read as one site, though its sheets state "
@@ -368,7 +378,7 @@ names_other_site(const struct site *site, const struct row *row)
 		return false;
 	enum lexicon_key k = lexicon_site_key_of_text(key.text);
 	return k < ARRAY_LEN(own) && own[k][0] != '\0' &&
-	       heading_names_differ(own[k], value.text);
+	       do_names_differ(own[k], value.text);
 }
 
 void

@@ -1384,17 +1384,19 @@ site_read_with_options(const struct site_request *request,
 		set_feed_speeds_from_files(&r);
 		if (request->feed)
 			drop_products_without_speed(&r);
+		size_t before = count_faults(&r);
 		if (r.n_table > 0) {
 			samples_report_missing(&r.samples, r.table[0]);
 			samples_report_missing(&r.columns, r.table[0]);
 		}
+		bool missing = count_faults(&r) > before;
 		classify_columns_together(&r.all, r.site,
 		    r.columns.others || r.samples.n > 0, &r.open.rotor);
 		accept_tables_as_one_site(&r);
 		bool open = count_faults(&r) == 0 &&
 			    site_ask_pending_question(&r.open, request, r.table,
 				r.n_table, &r.all, ask != NULL ? ask : &none);
-		if (!open) {
+		if (!open && !missing) {
 			read_and_check_sheet_columns(&r);
 			set_or_ask_top_size(&r, ask != NULL ? ask : &none);
 		}
