@@ -1181,8 +1181,8 @@ has_speeds_of_columns(const struct sheet_grid *g, size_t r,
 		fast = fast && (!speed || number >= 20 || said.speed >= 20 ||
 				   said.rpm >= 20);
 	}
-	return own > above && (own == all || !above) && (fast || !above) &&
-	       can_head_speeds(g, r, p, units);
+	return own >= (above ? 2 : 1) && (own == all || !above) &&
+	       (fast || !above) && can_head_speeds(g, r, p, units);
 }
 
 /* Inserts row r, with the speeds of the samples, below the heading of the
