@@ -928,15 +928,6 @@ is_reading_interrupted(const struct columns *all)
 	       error_is_stop_requested(all->column[0].table->sheet->errors);
 }
 
-static void
-drop_column(struct columns *all, size_t i)
-{
-	free(all->column[i].assumed);
-	all->n--;
-	memmove(&all->column[i], &all->column[i + 1],
-	    (all->n - i) * sizeof *all->column);
-}
-
 /* Returns the rank of a column among the quantities of one sample: masses
  * first, because they are exact and include the pan, then those that need the
  * least conversion; last masses that cannot be converted, as there is neither a
@@ -1135,7 +1126,7 @@ drop_mean_columns(struct columns *all, struct site *site)
 			continue;
 		leave_out(site, c, "%s: the mean of samples that are read",
 		    c->head.text);
-		drop_column(all, i--);
+		site_column_drop(all, i--);
 	}
 }
 
@@ -1317,7 +1308,7 @@ classify_columns_together(
 		if (unknown && feeds + products > 0) {
 			leave_out(site, c, "%s: neither feed nor product",
 			    c->head.text);
-			drop_column(all, i--);
+			site_column_drop(all, i--);
 		}
 	}
 	drop_mean_columns(all, site);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -42,6 +43,15 @@ site_unit_index(enum unit_kind kind, enum unit_scale scale)
 	       (SITE_UNITS[i].kind != kind || SITE_UNITS[i].scale != scale))
 		i++;
 	return i < SITE_N_UNIT ? i : 0;
+}
+
+void
+site_column_drop(struct columns *all, size_t i)
+{
+	free(all->column[i].assumed);
+	all->n--;
+	memmove(&all->column[i], &all->column[i + 1],
+	    (all->n - i) * sizeof *all->column);
 }
 
 /* Speeds that differ by at most this, m/s, are the same, as for

@@ -1052,15 +1052,9 @@ drop_repeated_tables(struct reading *r)
 			continue;
 		leave_out(r->site, t->row[0].line, "%s: samples again",
 		    samples_sheet_label(t->sheet));
-		size_t n = 0;
-		for (size_t i = 0; i < r->all.n; i++) {
-			struct column *c = &r->all.column[i];
-			if (c->table == t)
-				free(c->assumed);
-			else
-				r->all.column[n++] = *c;
-		}
-		r->all.n = n;
+		for (size_t i = r->all.n; i-- > 0;)
+			if (r->all.column[i].table == t)
+				site_column_drop(&r->all, i);
 		r->n_table--;
 		memmove(&r->table[k], &r->table[k + 1],
 		    (r->n_table - k) * sizeof(*r->table));
@@ -1108,19 +1102,16 @@ static void
 drop_products_without_speed(struct reading *r)
 {
 	struct columns *all = &r->all;
-	size_t feeds = site_column_count_by_role(all, NULL, FEED), n = 0;
-	for (size_t i = 0; i < all->n; i++) {
+	size_t feeds = site_column_count_by_role(all, NULL, FEED);
+	for (size_t i = all->n; i-- > 0;) {
 		struct column *c = &all->column[i];
-		bool open = c->role == PRODUCT && !(c->speed > 0);
-		if (open && feeds > 0) {
-			free(c->assumed);
+		if (c->role != PRODUCT || c->speed > 0)
 			continue;
-		}
-		if (open && all->n == 1)
+		if (feeds > 0)
+			site_column_drop(all, i);
+		else if (all->n == 1)
 			c->role = NO_ROLE;
-		all->column[n++] = *c;
 	}
-	all->n = n;
 }
 
 /* Returns the speeds of the products: "1560, 1680 rpm" if all are in rpm, else
