@@ -1064,13 +1064,13 @@ drop_repeated_tables(struct reading *r)
 		r->open.sieves = r->open.sieves || r->table[k]->unit_open;
 }
 
-static size_t
-file_index_of_column(const struct reading *r, const struct column *c)
+static const struct page *
+page_of_column(const struct reading *r, const struct column *c)
 {
-	size_t i = 0;
-	while (r->page[i].sheet != c->table->sheet)
-		i++;
-	return r->page[i].file;
+	const struct page *page = r->page;
+	while (page->sheet != c->table->sheet)
+		page++;
+	return page;
 }
 
 /* Gives each feed the speed of its file, if several files have a feed. */
@@ -1084,14 +1084,14 @@ set_feed_speeds_from_files(struct reading *r)
 		if (c->role != FEED || c->speed > 0)
 			continue;
 		first = first != NULL ? first : c;
-		several = several || file_index_of_column(r, c) !=
-					 file_index_of_column(r, first);
-		all = all && given_speed(r, file_index_of_column(r, c)) > 0;
+		size_t file = page_of_column(r, c)->file;
+		several = several || file != page_of_column(r, first)->file;
+		all = all && given_speed(r, file) > 0;
 	}
 	for (size_t i = 0; i < r->all.n && several && all; i++) {
 		struct column *c = &r->all.column[i];
 		if (c->role == FEED && !(c->speed > 0))
-			c->speed = given_speed(r, file_index_of_column(r, c));
+			c->speed = given_speed(r, page_of_column(r, c)->file);
 	}
 }
 
@@ -1176,18 +1176,11 @@ accept_tables_as_one_site(struct reading *r)
 		set_feed_speeds_from_products(&r->all);
 	r->open.other = NULL;
 	FREED char *speeds = product_speeds_text(&r->all);
-	if (site_column_count_by_role(&r->all, NULL, FEED) > 0)
-		xappend_to_list(&r->site->remark, "; ",
-		    tr("read as one site: feed and products at %s"), speeds);
-	else
-		xappend_to_list(&r->site->remark, "; ",
-		    tr("read as one site: products at %s"), speeds);
-}
-
-static size_t
-count_faults(const struct reading *r)
-{
-	return r->errors->n + r->errors->more;
+	xappend_to_list(&r->site->remark, "; ",
+	    site_column_count_by_role(&r->all, NULL, FEED) > 0
+		? tr("read as one site: feed and products at %s")
+		: tr("read as one site: products at %s"),
+	    speeds);
 }
 
 /* Returns the day of a sample: the one in its headings, or else the one stated
@@ -1195,22 +1188,11 @@ count_faults(const struct reading *r)
 static char *
 day_of_sample_or_title(const struct reading *r, const struct column *c)
 {
-	size_t p = 0;
 	bool differ = false;
 	char *day = site_day_of_sample(c->table, c->at);
-	if (day != NULL)
-		return day;
-	while (r->page[p].sheet != c->table->sheet)
-		p++;
-	return title_find_day(r->page[p].layout, c->table, NULL, &differ);
-}
-
-/* True if a column is a product, and not one that is read in another
- * quantity. */
-static bool
-is_product_not_duplicate(const struct column *c)
-{
-	return c->role == PRODUCT && c->twin == 0;
+	return day != NULL ? day
+			   : title_find_day(page_of_column(r, c)->layout,
+				 c->table, NULL, &differ);
 }
 
 /* Notes the days of the cuts.  The notes of cuts at one speed are matched by
@@ -1221,7 +1203,7 @@ note_days_of_cuts(struct reading *r)
 	const struct columns *all = &r->all;
 	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
 	for (size_t i = 0; i < all->n; i++)
-		if (is_product_not_duplicate(&all->column[i]))
+		if (all->column[i].role == PRODUCT)
 			day[i] = day_of_sample_or_title(r, &all->column[i]);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
@@ -1229,7 +1211,7 @@ note_days_of_cuts(struct reading *r)
 		for (size_t k = 0; k < all->n; k++)
 			any = any || (day[k] != NULL &&
 					 all->column[k].speed == c->speed);
-		if (!is_product_not_duplicate(c) || !any)
+		if (c->role != PRODUCT || !any)
 			continue;
 		FREED char *note = xasprintf("%g m/s%s%s", c->speed,
 		    day[i] != NULL ? ", " : "", day[i] != NULL ? day[i] : "");
@@ -1248,27 +1230,12 @@ note_days_not_read(struct reading *r)
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
 		const char *day = site_find_unreadable_day(c->table, c->at);
-		if (is_product_not_duplicate(c) && day != NULL)
+		if (c->role == PRODUCT && day != NULL)
 			leave_out(r->site, c->head.line,
 			    "the day '%.*s' of the cut at %g m/s: write year, "
 			    "month, day",
 			    sheet_truncated_text_length(day), day, c->speed);
 	}
-}
-
-/* Returns the days of all samples, "2026-05-03 to 2026-05-05", or NULL. */
-static char *
-day_range_of_all_samples(const struct reading *r)
-{
-	const struct columns *all = &r->all;
-	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
-	for (size_t i = 0; i < all->n; i++)
-		day[i] =
-		    site_day_of_sample(all->column[i].table, all->column[i].at);
-	char *days = site_day_range_text(day, all->n);
-	for (size_t i = 0; i < all->n; i++)
-		free(day[i]);
-	return days;
 }
 
 /* Sets the provenance, if the sheet states none, to the days of the samples or,
@@ -1277,13 +1244,21 @@ day_range_of_all_samples(const struct reading *r)
 static void
 set_provenance_from_days(struct reading *r)
 {
-	FREED char *days = day_range_of_all_samples(r);
+	const struct columns *all = &r->all;
+	FREED char **own = xcalloc(all->n + 1, sizeof(*own));
 	FREED char *day = NULL;
 	bool differ = false;
+	if (r->site->provenance[0] != '\0')
+		return;
+	for (size_t i = 0; i < all->n; i++)
+		own[i] =
+		    site_day_of_sample(all->column[i].table, all->column[i].at);
+	FREED char *days = site_day_range_text(own, all->n);
+	for (size_t i = 0; i < all->n; i++)
+		free(own[i]);
 	for (size_t p = 0; p < r->n_page; p++)
 		day = title_find_day(r->page[p].layout, NULL, day, &differ);
-	bool stated = days != NULL || (day != NULL && !differ);
-	if (!stated || r->site->provenance[0] != '\0')
+	if (days == NULL && (day == NULL || differ))
 		return;
 	free(r->site->provenance);
 	r->site->provenance =
@@ -1366,6 +1341,7 @@ site_read_with_options(const struct site_request *request,
 {
 	struct site_ask none = {0};
 	struct site *site = NULL;
+	ask = ask != NULL ? ask : &none;
 	struct reading r = {
 	    .request = request, .errors = errors, .site = site_new(0)};
 	r.source = xcalloc(request->n, sizeof *r.source);
@@ -1382,20 +1358,18 @@ site_read_with_options(const struct site_request *request,
 		classify_columns_together(&r.all, r.site,
 		    r.columns.others || r.samples.n > 0, &r.open.rotor);
 		accept_tables_as_one_site(&r);
-		bool open = count_faults(&r) == 0 &&
+		bool open = errors->n == 0 &&
 			    site_ask_pending_question(&r.open, request, r.table,
-				r.n_table, &r.all, ask != NULL ? ask : &none);
+				r.n_table, &r.all, ask);
 		if (!open) {
 			read_and_check_sheet_columns(&r);
-			set_or_ask_top_size(&r, ask != NULL ? ask : &none);
+			set_or_ask_top_size(&r, ask);
 		}
-		if (ask != NULL) {
-			ask->no_feed =
-			    site_column_count_by_role(&r.all, NULL, FEED) == 0;
-			ask->no_product = site_column_count_by_role(
-					      &r.all, NULL, PRODUCT) == 0;
-		}
-		if (count_faults(&r) == 0)
+		ask->no_feed =
+		    site_column_count_by_role(&r.all, NULL, FEED) == 0;
+		ask->no_product =
+		    site_column_count_by_role(&r.all, NULL, PRODUCT) == 0;
+		if (errors->n == 0)
 			site = finish_site_reading(&r);
 	}
 	clear_site_reading(&r);
