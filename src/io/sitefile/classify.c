@@ -273,8 +273,8 @@ guess_retained_unit_from_sum(
 	bool fraction = s->sum >= least && s->sum <= 1.05 && s->most <= 1.005;
 	*scale = OF_100;
 	if (is_within_percent(s->sum, 100, 1.05) && s->most <= 100.5)
-		*scale = OF_100;
-	else if (is_within_percent(s->sum, 1, 1.05) && s->most <= 1.005)
+		return true;
+	if (is_within_percent(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
 	else if (!percent && !fraction && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
@@ -386,10 +386,9 @@ choose_percent_or_grams(struct column *c, const struct shape *s,
     enum unit_kind kind, double total, enum unit_scale *scale)
 {
 	uint64_t means = c->said.means;
-	double whole = kind == RETAINED  ? s->sum
-		       : kind == PASSING ? s->first
-		       : s->has_pan      ? s->pan
-					 : s->last;
+	double whole = kind == PASSING ? s->first
+		       : s->has_pan    ? s->pan
+				       : s->last;
 	bool one = s->most <= 1 + 1e-9;
 	/* "g or %": the numbers decide. */
 	if ((means & WORD_PERCENT) != 0 && (means & WORD_GRAMS) != 0)
@@ -427,8 +426,7 @@ choose_percent_or_grams(struct column *c, const struct shape *s,
 	}
 	if (one && s->most > 0)
 		return is_within_percent(whole, 1, 1.05) && s->n > 2;
-	return kind == PASSING || is_within_percent(whole, 100, 25) ||
-	       (means & WORD_PERCENT) != 0;
+	return kind == PASSING || is_within_percent(whole, 100, 25);
 }
 
 /* True, with *unit set, if the heading alone defines the unit: either the sheet
@@ -481,21 +479,6 @@ refuse_small_percentages(struct column *c, const struct shape *s)
 	    "expected %s, got nothing above 1 in column %zu\ncall it fraction, "
 	    "retained_fraction or cum_retained_fraction",
 	    tr(unit->words), c->table->number[c->at]);
-}
-
-/* Adds to the meanings of a column, whose headings state no quantity, those
- * that the title states.  Returns false if the numbers clearly are something
- * else. */
-static bool
-add_title_quantity_to_column(
-    struct column *c, const struct shape *s, double total)
-{
-	uint64_t title = c->table->basis;
-	enum unit_kind kind;
-	enum unit_scale scale;
-	c->said.means |= title;
-	bool sure = guess_quantity_from_numbers(s, total, &kind, &scale);
-	return !sure || (kind == PASSING) == ((title & WORD_PASSES) != 0);
 }
 
 /* Guesses the quantity of a column whose headings state none, in their unit if
@@ -562,8 +545,8 @@ infer_column_quantity_and_unit(struct column *c, bool told)
 	double total = stated_total_of_column(c);
 	if (c->role == SD || s.n == 0)
 		return;
-	if (!has_size_classes(c->table) &&
-	    is_unit_defined_by_heading(c, &s, told, &c->unit)) {
+	bool classes = has_size_classes(c->table);
+	if (!classes && is_unit_defined_by_heading(c, &s, told, &c->unit)) {
 		if (told)
 			refuse_small_percentages(c, &s);
 		c->to_next = has_masses_down_to_next_size(c, &s);
@@ -573,15 +556,20 @@ infer_column_quantity_and_unit(struct column *c, bool told)
 	enum unit_scale scale;
 	bool title = !told && c->table->basis != 0 &&
 		     (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
-	bool sure = !title || add_title_quantity_to_column(c, &s, total);
+	bool sure = true;
+	if (title) { /* unless the numbers clearly are something else */
+		c->said.means |= c->table->basis;
+		sure =
+		    !guess_quantity_from_numbers(&s, total, &kind, &scale) ||
+		    (kind == PASSING) == ((c->table->basis & WORD_PASSES) != 0);
+	}
 	bool words = (c->said.means & (WORD_PASSES | WORD_STAYS)) != 0;
 	sure = (words ? read_column_quantity_of_heading(
 			    c, &s, total, told, &kind, &scale)
 		      : guess_quantity_in_stated_unit(
 			    c, &s, total, &kind, &scale)) &&
 	       sure;
-	bool classes = has_size_classes(c->table),
-	     doubtful = classes && kind != RETAINED;
+	bool doubtful = classes && kind != RETAINED;
 	/* What is between two sieves does not include what is above. */
 	if (classes && kind == CUMULATIVE)
 		kind = RETAINED;
@@ -671,7 +659,6 @@ infer_column_role(struct column *c, const struct surroundings *near)
 {
 	uint64_t role = c->said.means & ROLE_WORDS;
 	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
-	bool speed = heading_has_speed(&c->said);
 	c->role = NO_ROLE;
 	c->open = c->open || (c->said.spread && is_heading_unlike_others_in_row(
 						    c->table, c->at));
@@ -679,20 +666,15 @@ infer_column_role(struct column *c, const struct surroundings *near)
 		c->role = SD;
 	else if (role == WORD_FEED)
 		c->role = FEED;
-	else if (role == WORD_PRODUCT)
-		c->role = PRODUCT;
-	else if (role != 0)
+	else if (role != 0 && role != WORD_PRODUCT)
 		c->open = true;
-	else if (speed)
+	else if (role == WORD_PRODUCT || heading_has_speed(&c->said))
 		c->role = PRODUCT;
 	else if (context == WORD_FEED)
 		c->role = FEED;
-	else if (near->speed > 0 || near->rpm > 0)
-		c->role = PRODUCT;
-	else if (context == WORD_PRODUCT)
-		c->role = PRODUCT;
-	else if (unitless_speed_in_heading(&c->said) > 0 &&
-		 c->said.unknown == 0)
+	else if (near->speed > 0 || near->rpm > 0 || context == WORD_PRODUCT ||
+		 (unitless_speed_in_heading(&c->said) > 0 &&
+		     c->said.unknown == 0))
 		c->role = PRODUCT;
 }
 
@@ -963,15 +945,6 @@ sample_name_from_headings(const struct column *c)
 	return name;
 }
 
-/* True if two columns have the same sample name in their headings. */
-static bool
-has_same_sample_name(const struct column *a, const struct column *b)
-{
-	FREED char *one = sample_name_from_headings(a),
-		   *other = sample_name_from_headings(b);
-	return text_is_same_folded(one, other);
-}
-
 /* True if two columns are the same sample in two quantities, at least one of
  * which is stated. */
 static bool
@@ -992,8 +965,11 @@ is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 		    a->rpm == b->rpm && numbers &&
 		    (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
 			SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
-	return same &&
-	       (a->role != NO_ROLE || (stated && has_same_sample_name(a, b)));
+	if (!same || a->role != NO_ROLE || !stated)
+		return same && a->role != NO_ROLE;
+	FREED char *one = sample_name_from_headings(a),
+		   *other = sample_name_from_headings(b);
+	return text_is_same_folded(one, other);
 }
 
 /* Returns the words in a column's headings that tell its sample from others:
@@ -1162,15 +1138,12 @@ drop_columns_of_same_sample(struct columns *all, struct site *site)
 static void
 use_only_feed_for_all_runs(struct columns *all)
 {
-	struct column *only = NULL;
-	size_t n = 0;
-	for (size_t i = 0; i < all->n; i++)
-		if (all->column[i].role == FEED) {
-			only = &all->column[i];
-			n++;
-		}
-	if (n == 1 && only->said.spread && all->n > 2)
-		only->speed = only->rpm = 0;
+	bool only = site_column_count_by_role(all, NULL, FEED) == 1;
+	for (size_t i = 0; i < all->n && only && all->n > 2; i++) {
+		struct column *c = &all->column[i];
+		if (c->role == FEED && c->said.spread)
+			c->speed = c->rpm = 0;
+	}
 }
 
 /* Returns false if two feeds have the same heading, as they may be repeats. */
@@ -1290,11 +1263,9 @@ classify_columns_together(
 {
 	size_t feeds = site_column_count_by_role(all, NULL, FEED);
 	size_t products = site_column_count_by_role(all, NULL, PRODUCT);
-	for (size_t i = 0; i < all->n; i++)
-		*wants_rotor = *wants_rotor || (all->column[i].rpm > 0 &&
-						   !(all->column[i].speed > 0));
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		struct column *c = &all->column[i];
+		*wants_rotor |= c->rpm > 0 && !(c->speed > 0);
 		if (c->role != NO_ROLE)
 			continue;
 		struct shape s = summarise_column_numbers(c);
@@ -1325,8 +1296,7 @@ classify_columns_together(
 		if (c->twin > 0)
 			continue;
 		c->open = c->open || c->role == NO_ROLE ||
-			  (c->role == PRODUCT && !(c->speed > 0)) ||
-			  (c->role == SD && !(c->speed > 0));
+			  (c->role != FEED && !(c->speed > 0));
 		number_column_of_speed(all, i);
 	}
 }
