@@ -72,12 +72,10 @@ guess_column_use(const struct table *t, size_t c, const struct head *head)
 	if (!speed && !percent &&
 	    (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0))
 		return KEY;
+	/* the number of a sample, or per cent of full speed */
 	bool other = (head->means & (WORD_SAMPLE | WORD_SPEED)) != 0 &&
 		     (head->means & (COUNTED & ~WORD_PERCENT)) == 0;
-	if (other)
-		/* the number of a sample, or per cent of full speed */
-		return COUNT;
-	return VALUE;
+	return other ? COUNT : VALUE;
 }
 
 static bool

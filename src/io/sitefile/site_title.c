@@ -13,14 +13,6 @@
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/site_heading.h"
 
-/* Returns the line of a table's first heading or, without one, of its first
- * row. */
-static int
-first_line_number_of_table(const struct table *t)
-{
-	return t->n_head > 0 ? t->head[0].line : t->row[0].line;
-}
-
 /* True if a heading states which sample a table has: a role or a speed. */
 static bool
 is_title_of_sample(const struct head *head)
@@ -57,7 +49,7 @@ can_be_title_cell(const struct row *row, size_t c)
 static bool
 is_line_above_table(const struct table *t, const struct row *row)
 {
-	return !t->across && row->line < first_line_number_of_table(t) &&
+	return !t->across && row->line < layout_first_line_of_table(t) &&
 	       row->line > t->after;
 }
 
@@ -68,8 +60,8 @@ is_line_above_table(const struct table *t, const struct row *row)
 static bool
 can_be_table_title(const struct table *t, const struct row *row, size_t c)
 {
-	bool near = row->line < first_line_number_of_table(t) &&
-		    row->line >= first_line_number_of_table(t) - 3 &&
+	int first = layout_first_line_of_table(t);
+	bool near = row->line < first && row->line >= first - 3 &&
 		    (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 	return lexicon_site_key_of_text(row->cell[0].text) == N_KEY &&
 	       (near ||
