@@ -405,32 +405,36 @@ cell_range_of_table_rows(const struct table *t, size_t n_row)
 	return box;
 }
 
-/* Describes the samples that a table seems to contain: "feed, product@69". */
+char *
+site_ask_samples_of_table(
+    const struct table *t, const struct columns *all, size_t most)
+{
+	size_t n = 0;
+	char *list = xstrdup("");
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->role == NO_ROLE)
+			continue;
+		FREED char *words = classify_describe_column(c);
+		char *speed = strstr(words, "@SPEED");
+		*(speed != NULL ? speed : words + strcspn(words, " ")) = '\0';
+		if (n++ < most)
+			xappend_to_list(&list, ", ", "%s", words);
+	}
+	if (n > most)
+		xappend(&list, ", ..");
+	return list;
+}
+
+/* Describes the samples that a table seems to contain. */
 static char *
 describe_samples_of_table(const struct table *t, const struct columns *all)
 {
-	enum { MOST = 3 };
-	size_t n = 0;
-	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n && !title_mentions_limits_or_mean(t);
-	     i++) {
-		const struct column *c = &all->column[i];
-		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
-			continue;
-		FREED char *words = classify_describe_column(c);
-		words[strcspn(words, " ")] = '\0';
-		if (n++ < MOST)
-			xappend_to_list(&list, ", ", "%s",
-			    strstr(words, "@SPEED") != NULL
-				? SITE_ROLES[c->role]
-				: words);
-	}
-	if (n > MOST)
-		xappend(&list, ", ..");
-	if (n == 0)
-		xappend(&list, "%s",
-		    title_mentions_limits_or_mean(t) ? tr("limits or a mean")
-						     : tr("not said"));
+	if (title_mentions_limits_or_mean(t))
+		return xstrdup(tr("limits or a mean"));
+	char *list = site_ask_samples_of_table(t, all, 3);
+	if (list[0] == '\0')
+		xappend(&list, "%s", tr("not said"));
 	return list;
 }
 
@@ -628,7 +632,7 @@ ask_which_site_samples(const struct site_request *q, const struct columns *all,
 {
 	const struct column *other = first + 1;
 	while (other < all->column + all->n - 1 &&
-	       (other->whose == NULL || can_be_of_same_site(first, other)))
+	       can_be_of_same_site(first, other))
 		other++;
 	const char *two = other->whose != NULL ? other->whose : "";
 	return report_question_as_fault(q, first->table, first->head, ask,

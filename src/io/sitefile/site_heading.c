@@ -4,6 +4,7 @@
 #include "io/sitefile/site_heading.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -257,14 +258,14 @@ begins_with_site_key(const char *text)
 	return false;
 }
 
-/* Notes that a line of numbers above the table, which heads nothing, is not
- * read. */
-static void
-note_numbers_above_table(struct site *site, const struct cell *key)
+void
+site_heading_leave_out(struct site *site, int line, const char *format, ...)
 {
-	FREED char *where = xasprintf(tr("line %d"), key->line);
-	FREED char *what = xasprintf(tr("%.*s: numbers above the table"),
-	    sheet_truncated_text_length(key->text), key->text);
+	va_list ap;
+	va_start(ap, format);
+	FREED char *what = xvasprintf(tr(format), ap);
+	va_end(ap);
+	FREED char *where = xasprintf(tr("line %d"), line);
 	site_notes_append(&site->left_out, &site->n_left_out, where, what);
 }
 
@@ -325,7 +326,9 @@ read_other_key(struct site *site, const struct sheet *sheet, struct cell key,
 	if (!(mm > 0) && value != NULL)
 		parse_speeds(sheet, key, *value, third, speed);
 	if (third != NULL && number_value_of_cell(*third, &number))
-		note_numbers_above_table(site, &key);
+		site_heading_leave_out(site, key.line,
+		    "%.*s: numbers above the table",
+		    sheet_truncated_text_length(key.text), key.text);
 	else if (!(mm > 0 && strcmp(key.text, "rotor_mm") == 0))
 		site_notes_append(&site->note, &site->n_note, key.text,
 		    value != NULL ? value->text : "");

@@ -201,24 +201,22 @@ report_missing_columns(struct reading *r)
 {
 	bool parts = r->request->parts;
 	const struct row *top = &r->table[0]->row[0];
+	struct cell sieves = site_sieve_heading_cell(r->table[0]);
 	if (r->all.n == 0)
 		sheet_report_fault(r->table[0]->sheet,
-		    top->n_all > 1 ? top->cell[1]
-				   : site_sieve_heading_cell(r->table[0]),
+		    top->n_all > 1 ? top->cell[1] : sieves,
 		    "expected numbers below the headings, got none\nfill in "
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
 	else if (site_column_count_by_role(&r->all, NULL, FEED) == 0 && !parts)
-		sheet_report_fault(r->table[0]->sheet,
-		    site_sieve_heading_cell(r->table[0]),
+		sheet_report_fault(r->table[0]->sheet, sieves,
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
 		    "feed.csv %s@SPEED",
 		    r->request->path[0]);
 	else if (site_column_count_by_role(&r->all, NULL, PRODUCT) == 0 &&
 		 parts)
-		sheet_report_fault(r->table[0]->sheet,
-		    site_sieve_heading_cell(r->table[0]),
+		sheet_report_fault(r->table[0]->sheet, sieves,
 		    "expected a product, got a feed only\n"
 		    "add takes samples of product; load this file as a site");
 }
@@ -429,17 +427,6 @@ make_runs_of_site(struct site *site, const struct columns *t)
 	site_update_digest_and_mean_feed(site);
 }
 
-static void __attribute__((format(printf, 3, 4)))
-leave_out(struct site *site, int line, const char *format, ...)
-{
-	va_list ap;
-	va_start(ap, format);
-	FREED char *what = xvasprintf(tr(format), ap);
-	va_end(ap);
-	FREED char *where = xasprintf(tr("line %d"), line);
-	site_notes_append(&site->left_out, &site->n_left_out, where, what);
-}
-
 /* Notes the sieves without numbers as left out. */
 static void
 note_sieves_without_numbers(struct reading *r, const struct table *t)
@@ -450,7 +437,7 @@ note_sieves_without_numbers(struct reading *r, const struct table *t)
 			values = r->all.column[c].table == t &&
 				 !isnan(r->all.column[c].pct[i]);
 		if (!values)
-			leave_out(r->site, t->row[i].line,
+			site_heading_leave_out(r->site, t->row[i].line,
 			    "the sieve %s has no numbers",
 			    t->row[i].cell[0].text);
 	}
@@ -499,26 +486,10 @@ note_left_out_sums(struct reading *r, const struct page *page)
 			const char *text = row->cell[0].text;
 			if ((lexicon_text_meanings(text, NULL) & WORD_TOTAL) !=
 			    0)
-				leave_out(r->site, row->line,
+				site_heading_leave_out(r->site, row->line,
 				    "%s: sums are checked for grams only",
 				    text);
 		}
-}
-
-/* Returns the samples of a table: "feed" or "product@64, product@72". */
-static char *
-samples_of_table_text(const struct columns *all, const struct table *t)
-{
-	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		if (c->table != t || c->twin > 0)
-			continue;
-		FREED char *words = classify_describe_column(c);
-		words[strcspn(words, " ")] = '\0';
-		xappend_to_list(&list, ", ", "%s", words);
-	}
-	return list;
 }
 
 /* Returns the filled cells of a line as one text: "Date 2026-11-12". */
@@ -595,13 +566,13 @@ note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 		   below &&
 	       last_table_above_row(layout, layout->heading[i + n]) == above &&
 	       !is_line_already_read(r, layout, i + n));
-	FREED char *samples =
-	    samples_of_table_text(&r->all, below != NULL ? below : above);
+	FREED char *samples = site_ask_samples_of_table(
+	    below != NULL ? below : above, &r->all, SIZE_MAX);
 	if (samples[0] == '\0' || layout->n == 1)
-		leave_out(
+		site_heading_leave_out(
 		    r->site, first->line, "remark below the table: %s", words);
 	else
-		leave_out(r->site, first->line,
+		site_heading_leave_out(r->site, first->line,
 		    below != NULL ? N_("above the table of %s: %s")
 				  : N_("below the table of %s: %s"),
 		    samples, words);
@@ -626,8 +597,9 @@ note_all_unread_lines(struct reading *r)
 			if (c->line <= head || dashes)
 				continue;
 			int shown = sheet_truncated_text_length(c->text);
-			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
-			    c->text, c->text[shown] != '\0' ? "..." : "");
+			site_heading_leave_out(r->site, c->line,
+			    "a comment: %.*s%s", shown, c->text,
+			    c->text[shown] != '\0' ? "..." : "");
 		}
 		note_left_out_sums(r, page);
 		for (size_t i = 0, n; i < page->layout->n_heading; i += n)
@@ -636,7 +608,7 @@ note_all_unread_lines(struct reading *r)
 				: note_left_out_lines(r, page->layout, i);
 		const struct cell *beside = &page->layout->beside;
 		if (beside->text != NULL)
-			leave_out(r->site, beside->line,
+			site_heading_leave_out(r->site, beside->line,
 			    "beside the table: %.*s",
 			    sheet_truncated_text_length(beside->text),
 			    beside->text);
@@ -1050,8 +1022,8 @@ drop_repeated_tables(struct reading *r)
 		struct table *t = r->table[k];
 		if (r->columns.n > 0 || !is_table_repeated(r, k))
 			continue;
-		leave_out(r->site, t->row[0].line, "%s: samples again",
-		    samples_sheet_label(t->sheet));
+		site_heading_leave_out(r->site, t->row[0].line,
+		    "%s: samples again", samples_sheet_label(t->sheet));
 		for (size_t i = r->all.n; i-- > 0;)
 			if (r->all.column[i].table == t)
 				site_column_drop(&r->all, i);
@@ -1165,12 +1137,11 @@ accept_tables_as_one_site(struct reading *r)
 		r->open.other = last;
 		return;
 	}
-	bool parts = q->parts;
 	bool tests = !r->other_site &&
 		     titles_are_separate_tests(r->table, r->n_table, &r->all);
 	if (!tests &&
-	    (r->open.other == NULL ||
-		!titles_are_speed_series(r->table, r->n_table, &r->all, parts)))
+	    (r->open.other == NULL || !titles_are_speed_series(r->table,
+					  r->n_table, &r->all, q->parts)))
 		return;
 	if (tests)
 		set_feed_speeds_from_products(&r->all);
@@ -1231,7 +1202,7 @@ note_days_not_read(struct reading *r)
 		const struct column *c = &r->all.column[i];
 		const char *day = site_find_unreadable_day(c->table, c->at);
 		if (c->role == PRODUCT && day != NULL)
-			leave_out(r->site, c->head.line,
+			site_heading_leave_out(r->site, c->head.line,
 			    "the day '%.*s' of the cut at %g m/s: write year, "
 			    "month, day",
 			    sheet_truncated_text_length(day), day, c->speed);
