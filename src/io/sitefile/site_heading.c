@@ -100,17 +100,15 @@ rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 	return mm < 100 || mm > 5000 ? 0 : mm;
 }
 
-/* Takes a speed in m/s or rpm (0: not stated).  If another one was taken
- * before, sets speed->differ. */
-static void
-record_heading_speed(struct heading_speed *speed, double mps, double rpm)
+void
+site_heading_record_speed(struct heading_speed *speed, double mps, double rpm)
 {
 	speed->differ =
 	    speed->differ ||
 	    (speed->mps > 0 && mps > 0 && fabs(speed->mps - mps) > 1e-3) ||
 	    (speed->rpm > 0 && rpm > 0 && fabs(speed->rpm - rpm) > 1e-3);
-	speed->mps = mps > 0 ? mps : speed->mps;
-	speed->rpm = rpm > 0 ? rpm : speed->rpm;
+	speed->mps = speed->differ ? 0 : mps > 0 ? mps : speed->mps;
+	speed->rpm = speed->differ ? 0 : rpm > 0 ? rpm : speed->rpm;
 }
 
 /* Takes a speed from "tip speed; 70 m/s" or "varvtal; 1350", but not the
@@ -128,15 +126,15 @@ site_heading_parse_speed(const struct sheet *sheet, struct cell key,
 	if (!about || (v.several && v.unit != SPEED_NO_UNIT))
 		return false;
 	if (heading_has_speed(&v)) {
-		record_heading_speed(speed, v.speed, v.rpm);
+		site_heading_record_speed(speed, v.speed, v.rpm);
 		return true;
 	}
 	if (!read_first_number_of_cell(sheet, value, &number) || number <= 0)
 		return false;
 	if (unit == SPEED_RPM)
-		record_heading_speed(speed, 0, number);
+		site_heading_record_speed(speed, 0, number);
 	else if (unit != SPEED_NO_UNIT || number < 150)
-		record_heading_speed(
+		site_heading_record_speed(
 		    speed, speed_in_unit_to_mps(number, unit, 0), 0);
 	else
 		return false;

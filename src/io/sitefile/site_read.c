@@ -745,10 +745,10 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
 	struct surroundings near = {.rotor = rotor_of_reading(r),
+	    .speed = told.mps,
+	    .rpm = told.rpm,
 	    .told = r->columns.others,
 	    .samples = &r->samples};
-	near.speed = told.differ ? 0 : told.mps;
-	near.rpm = told.differ ? 0 : told.rpm;
 	near.context = title_read_role_and_speed(
 	    page->layout, t, q->path[page->file], &near);
 	/* "VSI 2" above a later table may mean that it is another site's. */

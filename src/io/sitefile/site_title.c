@@ -257,38 +257,14 @@ title_move_lines_to_headings(struct layout *layout)
 	layout->n_heading = n;
 }
 
-/* What the lines above a table say about all of its samples.  differ: they
- * state several speeds, so each is that of one sample. */
-struct title_says {
-	uint64_t role;
-	double speed, rpm;
-	bool differ;
-};
-
-/* Takes what a line of the title says.  The highest or lowest speed of a
- * machine is not that of a sample. */
-static void
-record_title_role_and_speed(const struct head *title, struct title_says *says)
+/* Takes the lines that are a table's title, and returns the role that they
+ * state, or 0.  If they state several speeds, each is that of one sample.  The
+ * highest or lowest speed of a machine is not that of a sample. */
+static uint64_t
+read_table_title_lines(
+    const struct layout *layout, struct table *t, struct heading_speed *speed)
 {
-	uint64_t role = title->means & (WORD_FEED | WORD_PRODUCT);
-	says->role = role != 0 ? role : says->role;
-	if (title->several || !heading_has_speed(title) ||
-	    (title->means & WORD_LIMIT) != 0)
-		return;
-	says->differ = says->differ ||
-		       (says->speed > 0 && title->speed > 0 &&
-			   fabs(says->speed - title->speed) > 1e-3) ||
-		       (says->rpm > 0 && title->rpm > 0 &&
-			   fabs(says->rpm - title->rpm) > 1e-3);
-	says->speed = title->speed;
-	says->rpm = title->rpm;
-}
-
-/* Takes the lines that are a table's title, and returns what they say. */
-static struct title_says
-read_table_title_lines(const struct layout *layout, struct table *t)
-{
-	struct title_says says = {0};
+	uint64_t stated = 0;
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		bool read = false;
@@ -302,11 +278,16 @@ read_table_title_lines(const struct layout *layout, struct table *t)
 			if (read ? !heading_has_speed(&title)
 				 : !is_title_of_sample(&title))
 				continue;
-			record_title_role_and_speed(&title, &says);
+			uint64_t role =
+			    title.means & (WORD_FEED | WORD_PRODUCT);
+			stated = role != 0 ? role : stated;
+			if (!title.several && (title.means & WORD_LIMIT) == 0)
+				site_heading_record_speed(
+				    speed, title.speed, title.rpm);
 			layout->read[i] = read = true;
 		}
 	}
-	return says;
+	return stated;
 }
 
 uint64_t
@@ -315,20 +296,20 @@ title_read_role_and_speed(const struct layout *layout, struct table *t,
 {
 	uint64_t means = lexicon_text_meanings(t->sheet->name, NULL);
 	struct head name = heading_parse_file_name(t->sheet->name);
-	struct heading_speed own = {0};
+	struct heading_speed own = {0}, says = {0};
 	if (read_speed_above_table(layout, t, &own)) {
-		near->speed = own.differ ? 0 : own.mps;
-		near->rpm = own.differ ? 0 : own.rpm;
+		near->speed = own.mps;
+		near->rpm = own.rpm;
 	}
 	if (!(near->speed > 0)) {
 		near->speed = name.speed;
 		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
 	}
-	struct title_says says = read_table_title_lines(layout, t);
-	means = says.role != 0 ? says.role : means;
-	if (says.speed > 0 || says.rpm > 0) {
-		near->speed = says.differ ? 0 : says.speed;
-		near->rpm = says.differ ? 0 : says.rpm;
+	uint64_t role = read_table_title_lines(layout, t, &says);
+	means = role != 0 ? role : means;
+	if (says.mps > 0 || says.rpm > 0 || says.differ) {
+		near->speed = says.mps;
+		near->rpm = says.rpm;
 	}
 	if (says.differ)
 		means &= ~(uint64_t)(WORD_FEED | WORD_PRODUCT);
