@@ -192,9 +192,7 @@ is_heading_unlike_others_in_row(const struct table *t, size_t at)
  * are the same. */
 struct shape {
 	int n, rises, falls;
-	double first, last, most, sum;
-	bool has_pan;
-	double pan;
+	double first, last, most, sum, pan;
 	size_t filled, numbers, pairs, steps, same;
 	double least_of_all, most_of_all;
 };
@@ -223,7 +221,6 @@ summarise_column_numbers(const struct column *c)
 		s.most_of_all = fmax(s.most_of_all, v);
 		s.sum += v;
 		if (!isnan(t->mm[i]) && t->mm[i] <= 0) {
-			s.has_pan = true;
 			s.pan = v;
 			continue;
 		}
@@ -267,7 +264,7 @@ guess_retained_unit_from_sum(
     const struct shape *s, double total, enum unit_scale *scale)
 {
 	/* Without a pan, the finest part is missing from the sum. */
-	double least = s->has_pan ? 0.95 : 0.8;
+	double least = !isnan(s->pan) ? 0.95 : 0.8;
 	bool percent =
 	    s->sum >= 100 * least && s->sum <= 105 && s->most <= 100.5;
 	bool fraction = s->sum >= least && s->sum <= 1.05 && s->most <= 1.005;
@@ -276,7 +273,7 @@ guess_retained_unit_from_sum(
 		return true;
 	if (is_within_percent(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
-	else if (!percent && !fraction && (s->has_pan || !isnan(total)))
+	else if (!percent && !fraction && (!isnan(s->pan) || !isnan(total)))
 		*scale = OF_MASS;
 	else { /* near 100 or 1, but not near enough */
 		bool mass =
@@ -308,8 +305,8 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 	}
 	if (s->rises > 0) {
 		*kind = CUMULATIVE;
-		double end = s->has_pan ? s->pan : s->last;
-		if (s->has_pan && s->pan < s->last) {
+		double end = !isnan(s->pan) ? s->pan : s->last;
+		if (!isnan(s->pan) && s->pan < s->last) {
 			*kind = RETAINED;
 			return guess_retained_unit_from_sum(s, total, scale);
 		}
@@ -320,7 +317,7 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 			   is_within_percent(end, 1, 10)) &&
 		       s->sum > 1.2 * end;
 	}
-	if (s->has_pan && s->pan > 0.015 * s->most) {
+	if (!isnan(s->pan) && s->pan > 0.015 * s->most) {
 		*kind = RETAINED; /* nothing passes the pan */
 		return guess_retained_unit_from_sum(s, total, scale) &&
 		       s->n > 2;
@@ -329,7 +326,7 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 	if (s->most > 100.5) {
 		*kind = RETAINED;
 		*scale = OF_MASS;
-		return s->has_pan && s->n > 2 && s->pan > 0;
+		return !isnan(s->pan) && s->n > 2 && s->pan > 0;
 	}
 	if (*scale == OF_1)
 		return is_within_percent(s->first, 1, 0.1) && s->n > 2 &&
@@ -363,7 +360,7 @@ choose_mass_or_cumulative(
 	bool share = s->most <= 100.5 && (c->said.means & WORD_GRAMS) == 0;
 	double whole = s->most <= 1.005 ? 1 : 100;
 	*kind = CUMULATIVE;
-	if (s->has_pan && s->pan < s->last)
+	if (!isnan(s->pan) && s->pan < s->last)
 		*kind = RETAINED;
 	else if (share && is_within_percent(s->sum, whole, 1.05))
 		*kind = RETAINED;
@@ -372,7 +369,7 @@ choose_mass_or_cumulative(
 		assume(c, "cumulative: the parts would sum to %.3g", s->sum);
 	else if (!isnan(total) && is_within_percent(s->sum, total, 1))
 		*kind = RETAINED;
-	else if (!(s->has_pan && !isnan(total) &&
+	else if (!(!isnan(s->pan) && !isnan(total) &&
 		     is_within_percent(s->pan, total, 0.1) &&
 		     s->sum > 1.05 * total))
 		return false;
@@ -386,9 +383,9 @@ choose_percent_or_grams(struct column *c, const struct shape *s,
     enum unit_kind kind, double total, enum unit_scale *scale)
 {
 	uint64_t means = c->said.means;
-	double whole = kind == PASSING ? s->first
-		       : s->has_pan    ? s->pan
-				       : s->last;
+	double whole = kind == PASSING  ? s->first
+		       : !isnan(s->pan) ? s->pan
+					: s->last;
 	bool one = s->most <= 1 + 1e-9;
 	/* "g or %": the numbers decide. */
 	if ((means & WORD_PERCENT) != 0 && (means & WORD_GRAMS) != 0)
@@ -413,7 +410,7 @@ choose_percent_or_grams(struct column *c, const struct shape *s,
 				  is_within_percent(s->first, 100, 0.6));
 	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
-	    (s->has_pan || !isnan(total))) {
+	    (!isnan(s->pan) || !isnan(total))) {
 		*scale = OF_MASS;
 		return true;
 	}
@@ -422,7 +419,7 @@ choose_percent_or_grams(struct column *c, const struct shape *s,
 	*scale = one ? OF_1 : OF_100;
 	if (s->most > 100.5) {
 		*scale = OF_MASS;
-		return kind == CUMULATIVE && s->has_pan;
+		return kind == CUMULATIVE && !isnan(s->pan);
 	}
 	if (one && s->most > 0)
 		return is_within_percent(whole, 1, 1.05) && s->n > 2;
@@ -534,7 +531,7 @@ has_masses_down_to_next_size(const struct column *c, const struct shape *s)
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	bool whole = unit->scale == OF_MASS ||
 		     is_within_percent(s->sum, unit->most, 1.05);
-	return c->table->below && unit->kind == RETAINED && !s->has_pan &&
+	return c->table->below && unit->kind == RETAINED && isnan(s->pan) &&
 	       whole;
 }
 
@@ -623,9 +620,9 @@ static void
 infer_column_speed(struct column *c, const struct surroundings *near)
 {
 	const struct head *said = &c->said;
+	double bare = unitless_speed_in_heading(said);
 	bool told_rpm = said->rpm == 0 && !(near->speed > 0) && near->rpm > 0 &&
-			c->role == PRODUCT &&
-			!(unitless_speed_in_heading(said) > 0);
+			c->role == PRODUCT && !(bare > 0);
 	if (said->several) { /* none is proposed */
 		c->open = true;
 		return;
@@ -635,8 +632,8 @@ infer_column_speed(struct column *c, const struct surroundings *near)
 	} else if (said->rpm > 0 || told_rpm) {
 		c->rpm = told_rpm ? near->rpm : said->rpm;
 		c->speed = speed_in_unit_to_mps(c->rpm, SPEED_RPM, near->rotor);
-	} else if (unitless_speed_in_heading(said) > 0 && said->unknown == 0) {
-		c->speed = unitless_speed_in_heading(said);
+	} else if (bare > 0 && said->unknown == 0) {
+		c->speed = bare;
 		/* A speed that spreads over the feed from the left may not be
 		 * its own. */
 		if (c->role != FEED || !said->spread)
@@ -921,7 +918,7 @@ column_preference_by_quantity(const struct column *c)
 	if (c->open)
 		return 9;
 	if (unit->kind == RETAINED && unit->scale == OF_MASS)
-		return summarise_column_numbers(c).has_pan ||
+		return !isnan(summarise_column_numbers(c).pan) ||
 			       !isnan(stated_total_of_column(c))
 			   ? 0
 			   : 4;

@@ -255,12 +255,14 @@ list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
 		ask->settle = xstrdup(settle);
 }
 
-/* Returns the files and options of the request, as `load` takes them, without
- * what the answer replaces. */
+/* Returns the command that loads the files with the answer, and the options of
+ * the request that it does not replace.  If a sheet is read only for its feed,
+ * its command does not have these options, so the sheet is loaded and written
+ * anew. */
 static char *
-load_files_and_options_text(const struct site_request *q, const char *settle)
+load_command_text_with_answer(const struct site_request *q, const char *settle)
 {
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	struct site_request rest = *q;
 	for (size_t i = 0; i < q->n; i++) {
 		FREED char *word = site_request_file_text(q, i);
@@ -273,19 +275,8 @@ load_files_and_options_text(const struct site_request *q, const char *settle)
 	if (strstr(settle, "samples=") != NULL)
 		rest.samples = NULL;
 	FREED char *options = site_request_options_text(&rest);
-	xappend(&list, "%s", options);
-	return list;
-}
-
-/* Returns the command that loads the files with the answer.  If a sheet is read
- * only for its feed, its command does not have these options, so the sheet is
- * loaded and written anew. */
-static char *
-load_command_text_with_answer(const struct site_request *q, const char *settle)
-{
-	FREED char *files = load_files_and_options_text(q, settle);
-	char *line =
-	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
+	char *line = xasprintf(
+	    "%s %s%s %s", q->parts ? "add" : "load", list, options, settle);
 	const char *name = file_name_without_folders(q->path[0]);
 	if (q->feed)
 		xappend(&line, "; write \"%.*s-read.csv\"",
@@ -816,28 +807,6 @@ may_sizes_be_upper_ends(const struct column *c)
 	       c->pct[at] < 100 - MUCH && fabs(c->pct[finest]) < NOTHING;
 }
 
-/* Asks whether the sizes are sieves or upper ends of classes, and proposes
- * neither. */
-static void
-ask_whether_sizes_are_class_ends(const struct column *c,
-    const struct site_request *q, double coarser, struct site_ask *ask)
-{
-	const struct table *t = c->table;
-	size_t at = c->below - 1;
-	bool alone = t->sheet->errors->n == 0;
-	char p[32];
-	FREED char *settle = xasprintf("top=%g", coarser);
-	FREED char *line = load_command_text_with_answer(q, settle);
-	sheet_report_fault(t->sheet, t->row[at].cell[c->at],
-	    "the coarsest sieve, %g mm, passes %s %% of the feed, and the "
-	    "finest nothing: are these sieves, or the upper ends of classes?\n"
-	    "for classes write both ends in the sheet, such as 8-16 and "
-	    "0-0.063; for sieves say which size all of the feed passes: %s",
-	    t->mm[at], site_column_passing_text(c, at, 100, p), line);
-	if (alone)
-		ask->settle = xstrdup("top=");
-}
-
 void
 site_ask_top_size(
     const struct column *c, const struct site_request *q, struct site_ask *ask)
@@ -845,33 +814,38 @@ site_ask_top_size(
 	const struct table *t = c->table;
 	size_t at = c->below - 1;
 	double coarser = next_sieve_up(c, t->mm[at]);
-	if (may_sizes_be_upper_ends(c)) {
-		ask_whether_sizes_are_class_ends(c, q, coarser, ask);
-		return;
-	}
-	bool alone = t->sheet->errors->n == 0;
-	bool much = c->pct[at] < 90;
-	double further = much ? next_sieve_up(c, coarser) : 0;
+	bool alone = t->sheet->errors->n == 0, much = c->pct[at] < 90;
+	/* then neither is proposed */
+	bool ends = may_sizes_be_upper_ends(c);
+	double further = much && !ends ? next_sieve_up(c, coarser) : 0;
 	char p[32];
-	char *settle = xasprintf("top=%g", coarser);
+	site_column_passing_text(c, at, 100, p);
+	FREED char *settle = xasprintf("top=%g", coarser);
 	FREED char *passes =
 	    much ? xasprintf(tr("%g mm, the next sieve up (or %g mm or more, "
 				"since much is coarser)"),
 		       coarser, further)
 		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
 	FREED char *line = load_command_text_with_answer(q, settle);
-	sheet_report_fault(t->sheet, t->row[at].cell[c->at],
-	    "the coarsest sieve, %g mm, passes %s %% of the feed, as is usual: "
-	    "which size does all of it pass?\n"
-	    "take %s%s: %s",
-	    t->mm[at], site_column_passing_text(c, at, 100, p), passes,
-	    hint_to_write_feed_again(q), line);
-	if (alone) {
-		ask->settle = settle;
-		ask->further = further;
-	} else {
-		free(settle);
-	}
+	if (ends)
+		sheet_report_fault(t->sheet, t->row[at].cell[c->at],
+		    "the coarsest sieve, %g mm, passes %s %% of the feed, and "
+		    "the finest nothing: are these sieves, or the upper ends "
+		    "of classes?\n"
+		    "for classes write both ends in the sheet, such as 8-16 "
+		    "and 0-0.063; for sieves say which size all of the feed "
+		    "passes: %s",
+		    t->mm[at], p, line);
+	else
+		sheet_report_fault(t->sheet, t->row[at].cell[c->at],
+		    "the coarsest sieve, %g mm, passes %s %% of the feed, as "
+		    "is usual: which size does all of it pass?\n"
+		    "take %s%s: %s",
+		    t->mm[at], p, passes, hint_to_write_feed_again(q), line);
+	if (!alone)
+		return;
+	ask->settle = xstrdup(ends ? "top=" : settle);
+	ask->further = further;
 }
 
 void

@@ -214,7 +214,9 @@ recognise_astm_numbers(struct table *t, const struct numbers *all, bool said)
 	t->unit = (struct sieve_unit){0, SIEVE_ASTM};
 	if (said && !all->rises && all->in_mm >= 1)
 		return SIEVES_OPEN;
-	return said || all->n_part > 0 ? SIEVES_SAID : SIEVES_OPEN;
+	return said              ? SIEVES_SAID
+	       : all->n_part > 0 ? SIEVES_ASSUMED
+				 : SIEVES_OPEN;
 }
 
 /* Returns the likeliest unit of numbers for which several are possible. */
@@ -259,8 +261,7 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 	t->unit = (struct sieve_unit){1, SIEVE_NONE};
 	enum sieve_certainty numbers = recognise_astm_numbers(t, &all, said);
 	if (t->unit.series == SIEVE_ASTM)
-		return numbers == SIEVES_SAID && !said ? SIEVES_ASSUMED
-						       : numbers;
+		return numbers;
 	if (all.in_mm >= 0.8 && most > LEAST_TOP && most <= COARSE_TOP)
 		return SIEVES_ASSUMED;
 	t->unit = guess_sieve_unit(&all);
