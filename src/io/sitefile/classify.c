@@ -866,12 +866,11 @@ classify_columns(struct table *t, const struct surroundings *near,
 	struct error_list *errors = t->sheet->errors;
 	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
 	size_t n = 0, first = all->n;
+	bool counted = false; /* bare numbers in headings are not speeds */
 	for (; n + 1 < t->n_col && !error_is_stop_requested(errors); n++) {
 		column[n] = make_column_from_headings(t, n + 1);
 		set_speed_from_constant_column(&column[n], &around);
-		around.counted =
-		    around.counted ||
-		    is_number_heading_but_no_speed(&column[n].said);
+		counted |= is_number_heading_but_no_speed(&column[n].said);
 	}
 	if (!around.told)
 		refuse_tare_column(column, n);
@@ -879,7 +878,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 	    xrealloc(all->column, all->n + t->n_col, sizeof *all->column);
 	for (size_t i = 0; i < n && !error_is_stop_requested(errors); i++) {
 		struct column c = column[i];
-		if (around.counted && c.said.n_number == 1)
+		if (counted && c.said.n_number == 1)
 			c.said.n_number = 0;
 		bool named = around.samples->n > 0;
 		bool sheet = samples_is_sheet_named(around.samples, t->sheet);

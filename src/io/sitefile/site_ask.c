@@ -342,10 +342,9 @@ propose_tables_of_site(struct tables *s)
 	while (feed < s->n &&
 	       site_column_count_by_role(s->all, s->table[feed], FEED) == 0)
 		feed++;
-	feed = feed < s->n ? feed : 0;
-	s->first = s->last = feed;
-	if (site_column_count_by_role(s->all, s->table[feed], FEED) == 0)
+	if (feed == s->n) /* then the first table is */
 		return;
+	s->first = s->last = feed;
 	while (s->last + 1 < s->n &&
 	       is_table_of_same_site(s, s->last + 1, feed, like)) {
 		s->last++;

@@ -404,13 +404,9 @@ total_mass_on_sieves(struct column *c)
 		return 0;
 	if (cumulative)
 		return total;
-	if (isnan(c->pan) && total < sum * (1 - MASS_TOLERANCE)) {
-		check_stated_total(c, foot.where, total, sum);
-		return 0;
-	}
-	if (isnan(c->pan))
+	if (isnan(c->pan) && total >= sum * (1 - MASS_TOLERANCE))
 		return fmax(total, sum);
-	if (!(sum > 0)) {
+	if (!isnan(c->pan) && !(sum > 0)) {
 		sheet_report_fault(c->table->sheet, c->head,
 		    "expected a mass, got 0 g in column %s\n"
 		    "fill the column or remove it",
