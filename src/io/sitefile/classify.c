@@ -340,15 +340,14 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 static bool
 can_numbers_be_quantity(const struct shape *s, enum unit_kind kind)
 {
-	bool falls = s->rises == 0 && s->falls > 0;
-	bool rises = s->falls == 0 && s->rises > 0;
-	bool hill = s->rises > 0 && s->falls > 0;
+	bool falls = s->falls > 0, rises = s->rises > 0;
 	if (kind == PASSING)
-		return !rises && !(hill && s->first < 0.9 * s->most);
+		return !rises || (falls && s->first >= 0.9 * s->most);
 	if (kind == CUMULATIVE)
-		return !falls && !(hill && s->last < 0.9 * s->most);
-	return !(falls && s->n > 2 && is_within_percent(s->first, 100, 1)) &&
-	       !(falls && s->n > 2 && is_within_percent(s->first, 1, 0.1));
+		return !falls || (rises && s->last >= 0.9 * s->most);
+	return rises || !falls || s->n <= 2 ||
+	       !(is_within_percent(s->first, 100, 1) ||
+		   is_within_percent(s->first, 1, 0.1));
 }
 
 /* Decides whether a column headed "retained", whose numbers rise throughout, is

@@ -1004,8 +1004,8 @@ append_sheet_table_row(const struct sheet_grid *g, size_t r, struct table *t,
     struct row **list, size_t *n_list)
 {
 	size_t n = t->n_col;
-	struct row row = {.n = n, .n_all = n};
-	row.cell = xcalloc(n, sizeof *row.cell);
+	struct row row = {
+	    .n = n, .n_all = n, .cell = xcalloc(n, sizeof *row.cell)};
 	for (size_t i = 0; i < n; i++) {
 		row.cell[i] = *cell_at(g, r, t->column[i]);
 		cell_classification_at(g, r, t->column[i])->used = true;

@@ -728,9 +728,8 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	const struct column *first = NULL;
 	if (open->twice != NULL)
 		return ask_about_sieves_listed_twice(open, q, ask);
-	for (size_t i = 0; i < all->n; i++)
-		if (all->column[i].open && first == NULL)
-			first = &all->column[i];
+	for (size_t i = 0; i < all->n && first == NULL; i++)
+		first = all->column[i].open ? &all->column[i] : NULL;
 	if (open->number.text != NULL) {
 		ask->settle = xstrdup("decimal=point|comma");
 		return report_question_as_fault(q, table[0], open->number, ask,

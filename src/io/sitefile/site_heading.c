@@ -147,11 +147,10 @@ static bool
 parse_speeds(const struct sheet *sheet, struct cell key, struct cell value,
     const struct cell *third, struct heading_speed *speed)
 {
-	if (!site_heading_parse_speed(sheet, key, value, speed))
-		return false;
-	if (third != NULL)
+	bool found = site_heading_parse_speed(sheet, key, value, speed);
+	if (found && third != NULL)
 		site_heading_parse_speed(sheet, key, *third, speed);
-	return true;
+	return found;
 }
 
 /* Splits a cell such as "Speed: 70 m/s" into key and value, whose texts are in

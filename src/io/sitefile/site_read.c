@@ -1091,19 +1091,17 @@ drop_products_without_speed(struct reading *r)
 static char *
 product_speeds_text(const struct columns *all)
 {
-	bool rpm = true;
-	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n; i++)
-		if (all->column[i].role == PRODUCT)
-			rpm = rpm && all->column[i].rpm > 0;
+	bool turns = true;
+	FREED char *rpm = xstrdup(""), *mps = xstrdup("");
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
-		if (c->role == PRODUCT)
-			xappend_to_list(
-			    &list, ", ", "%g", rpm ? c->rpm : c->speed);
+		if (c->role != PRODUCT)
+			continue;
+		turns = turns && c->rpm > 0;
+		xappend_to_list(&rpm, ", ", "%g", c->rpm);
+		xappend_to_list(&mps, ", ", "%g", c->speed);
 	}
-	xappend(&list, " %s", rpm ? "rpm" : "m/s");
-	return list;
+	return turns ? xasprintf("%s rpm", rpm) : xasprintf("%s m/s", mps);
 }
 
 /* Gives each feed the speed of the product in its table. */

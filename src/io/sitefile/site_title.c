@@ -508,11 +508,11 @@ titles_are_speed_series(
 	if (title_mentions_limits_or_mean(feed))
 		return false;
 	FREED char *line = title_feed_or_last_line(feed);
-	bool one = true;
 	for (size_t k = 0; k < n; k++)
-		one = one && (table[k] == feed ||
-				 !title_names_differ(line, table[k]->title));
-	return one;
+		if (table[k] != feed &&
+		    title_names_differ(line, table[k]->title))
+			return false;
+	return true;
 }
 
 /* Returns the folded text without what may differ from test to test: speeds,
