@@ -124,8 +124,7 @@ apply_label_of_heading_row(const struct cell *label, struct head *head)
 	    row.unknown > 0 || row.n_number > 0 ||
 	    ((row.means & ~WORD_FILLER) == 0 && row.unit == SPEED_NO_UNIT) ||
 	    (row.means & (WORD_PERCENT | WORD_GRAMS | WORD_LIMIT)) != 0 ||
-	    (speed && (row.means & WORD_SAMPLE) != 0) ||
-	    (speed && (row.means & WORD_FEED) != 0);
+	    (speed && (row.means & (WORD_SAMPLE | WORD_FEED)) != 0);
 	if (other && head->unit == SPEED_NO_UNIT) {
 		head->n_number = 0;
 		return;
@@ -455,8 +454,7 @@ static bool
 has_size_classes(const struct table *t)
 {
 	/* 3/8 of an inch is not a class. */
-	bool named = t->unit.series != SIEVE_NONE;
-	for (size_t i = 0; i < t->n_row && !named; i++)
+	for (size_t i = 0; i < t->n_row && t->unit.series == SIEVE_NONE; i++)
 		if (sieve_cell_is_class(t->sheet, t->row[i].cell[0]))
 			return true;
 	return false;

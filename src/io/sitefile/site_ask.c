@@ -562,10 +562,8 @@ only_number_above_100(const struct column *c)
 			continue;
 		n++;
 		v /= 1 + 1e-9;
-		if (v < 0 || v > 100)
-			n_above++;
-		if (v > 100)
-			above = cell;
+		n_above += v < 0 || v > 100;
+		above = v > 100 ? cell : above;
 	}
 	bool mass = SITE_UNITS[c->unit].scale == OF_MASS &&
 		    (c->said.means & WORD_GRAMS) != 0;

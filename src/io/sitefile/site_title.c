@@ -245,11 +245,10 @@ title_move_lines_to_headings(struct layout *layout)
 			struct table *t = &layout->table[b];
 			struct cell *cell =
 			    find_heading_by_sample_name(t, name, &head);
-			if (cell == NULL)
-				continue;
-			cell->text = layout_adopt_text(
-			    t, xasprintf("%s %s", cell->text, said));
-			taken = true;
+			taken = taken || cell != NULL;
+			if (cell != NULL)
+				cell->text = layout_adopt_text(
+				    t, xasprintf("%s %s", cell->text, said));
 		}
 		if (!taken)
 			layout->heading[n++] = row;
