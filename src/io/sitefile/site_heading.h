@@ -54,7 +54,7 @@ char *site_heading_rotors_text(const struct heading_rotor *said);
 char *site_heading_name_from_path(const char *path);
 
 /* Notes that a line, or a part of it, is not read. */
-void __attribute__((format(printf, 3, 4)))
-site_heading_leave_out(struct site *site, int line, const char *format, ...);
+void site_heading_leave_out(struct site *site, int line, const char *format,
+    ...) __attribute__((format(printf, 3, 4)));
 
 #endif
