@@ -280,9 +280,14 @@ read_table_title_lines(
 			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
 			stated = role != 0 ? role : stated;
-			if (!title.several && (title.means & WORD_LIMIT) == 0)
+			if (heading_has_speed(&title) && !title.several &&
+			    (title.means & WORD_LIMIT) == 0) {
 				site_heading_record_speed(
 				    speed, title.speed, title.rpm);
+				/* rpm below m/s may be of another sample */
+				speed->mps = speed->differ ? 0 : title.speed;
+				speed->rpm = speed->differ ? 0 : title.rpm;
+			}
 			layout->read[i] = read = true;
 		}
 	}
