@@ -124,8 +124,7 @@ apply_label_of_heading_row(const struct cell *label, struct head *head)
 	    row.unknown > 0 || row.n_number > 0 ||
 	    ((row.means & ~WORD_FILLER) == 0 && row.unit == SPEED_NO_UNIT) ||
 	    (row.means & (WORD_PERCENT | WORD_GRAMS | WORD_LIMIT)) != 0 ||
-	    (speed && (row.means & WORD_SAMPLE) != 0) ||
-	    (speed && (row.means & WORD_FEED) != 0);
+	    (speed && (row.means & (WORD_SAMPLE | WORD_FEED)) != 0);
 	if (other && head->unit == SPEED_NO_UNIT) {
 		head->n_number = 0;
 		return;
@@ -191,9 +190,7 @@ is_heading_unlike_left_one(const struct table *t, size_t at)
  * are the same. */
 struct shape {
 	int n, rises, falls;
-	double first, last, most, sum;
-	bool has_pan;
-	double pan;
+	double first, last, most, sum, pan;
 	size_t filled, numbers, pairs, steps, same;
 	double least_of_all, most_of_all;
 };
@@ -222,7 +219,6 @@ summarise_column_numbers(const struct column *c)
 		s.most_of_all = fmax(s.most_of_all, v);
 		s.sum += v;
 		if (!isnan(t->mm[i]) && t->mm[i] <= 0) {
-			s.has_pan = true;
 			s.pan = v;
 			continue;
 		}
@@ -266,16 +262,16 @@ guess_retained_unit_from_sum(
     const struct shape *s, double total, enum unit_scale *scale)
 {
 	/* Without a pan, the finest part is missing from the sum. */
-	double least = s->has_pan ? 0.95 : 0.8;
+	double least = !isnan(s->pan) ? 0.95 : 0.8;
 	bool percent =
 	    s->sum >= 100 * least && s->sum <= 105 && s->most <= 100.5;
 	bool fraction = s->sum >= least && s->sum <= 1.05 && s->most <= 1.005;
 	*scale = OF_100;
 	if (is_within_percent(s->sum, 100, 1.05) && s->most <= 100.5)
-		*scale = OF_100;
-	else if (is_within_percent(s->sum, 1, 1.05) && s->most <= 1.005)
+		return true;
+	if (is_within_percent(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
-	else if (!percent && !fraction && (s->has_pan || !isnan(total)))
+	else if (!percent && !fraction && (!isnan(s->pan) || !isnan(total)))
 		*scale = OF_MASS;
 	else { /* near 100 or 1, but not near enough */
 		bool mass =
@@ -307,8 +303,8 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 	}
 	if (s->rises > 0) {
 		*kind = CUMULATIVE;
-		double end = s->has_pan ? s->pan : s->last;
-		if (s->has_pan && s->pan < s->last) {
+		double end = !isnan(s->pan) ? s->pan : s->last;
+		if (!isnan(s->pan) && s->pan < s->last) {
 			*kind = RETAINED;
 			return guess_retained_unit_from_sum(s, total, scale);
 		}
@@ -319,7 +315,7 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 			   is_within_percent(end, 1, 10)) &&
 		       s->sum > 1.2 * end;
 	}
-	if (s->has_pan && s->pan > 0.015 * s->most) {
+	if (!isnan(s->pan) && s->pan > 0.015 * s->most) {
 		*kind = RETAINED; /* nothing passes the pan */
 		return guess_retained_unit_from_sum(s, total, scale) &&
 		       s->n > 2;
@@ -328,7 +324,7 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 	if (s->most > 100.5) {
 		*kind = RETAINED;
 		*scale = OF_MASS;
-		return s->has_pan && s->n > 2 && s->pan > 0;
+		return !isnan(s->pan) && s->n > 2 && s->pan > 0;
 	}
 	if (*scale == OF_1)
 		return is_within_percent(s->first, 1, 0.1) && s->n > 2 &&
@@ -342,15 +338,14 @@ guess_quantity_from_numbers(const struct shape *s, double total,
 static bool
 can_numbers_be_quantity(const struct shape *s, enum unit_kind kind)
 {
-	bool falls = s->rises == 0 && s->falls > 0;
-	bool rises = s->falls == 0 && s->rises > 0;
-	bool hill = s->rises > 0 && s->falls > 0;
+	bool falls = s->falls > 0, rises = s->rises > 0;
 	if (kind == PASSING)
-		return !rises && !(hill && s->first < 0.9 * s->most);
+		return !rises || (falls && s->first >= 0.9 * s->most);
 	if (kind == CUMULATIVE)
-		return !falls && !(hill && s->last < 0.9 * s->most);
-	return !(falls && s->n > 2 && is_within_percent(s->first, 100, 1)) &&
-	       !(falls && s->n > 2 && is_within_percent(s->first, 1, 0.1));
+		return !falls || (rises && s->last >= 0.9 * s->most);
+	return rises || !falls || s->n <= 2 ||
+	       !(is_within_percent(s->first, 100, 1) ||
+		   is_within_percent(s->first, 1, 0.1));
 }
 
 /* Decides whether a column headed "retained", whose numbers rise throughout, is
@@ -362,7 +357,7 @@ choose_mass_or_cumulative(
 	bool share = s->most <= 100.5 && (c->said.means & WORD_GRAMS) == 0;
 	double whole = s->most <= 1.005 ? 1 : 100;
 	*kind = CUMULATIVE;
-	if (s->has_pan && s->pan < s->last)
+	if (!isnan(s->pan) && s->pan < s->last)
 		*kind = RETAINED;
 	else if (share && is_within_percent(s->sum, whole, 1.05))
 		*kind = RETAINED;
@@ -371,7 +366,7 @@ choose_mass_or_cumulative(
 		assume(c, "cumulative: the parts would sum to %.3g", s->sum);
 	else if (!isnan(total) && is_within_percent(s->sum, total, 1))
 		*kind = RETAINED;
-	else if (!(s->has_pan && !isnan(total) &&
+	else if (!(!isnan(s->pan) && !isnan(total) &&
 		     is_within_percent(s->pan, total, 0.1) &&
 		     s->sum > 1.05 * total))
 		return false;
@@ -385,10 +380,9 @@ choose_percent_or_grams(struct column *c, const struct shape *s,
     enum unit_kind kind, double total, enum unit_scale *scale)
 {
 	uint64_t means = c->said.means;
-	double whole = kind == RETAINED  ? s->sum
-		       : kind == PASSING ? s->first
-		       : s->has_pan      ? s->pan
-					 : s->last;
+	double whole = kind == PASSING  ? s->first
+		       : !isnan(s->pan) ? s->pan
+					: s->last;
 	bool one = s->most <= 1 + 1e-9;
 	/* "g or %": the numbers decide. */
 	if ((means & WORD_PERCENT) != 0 && (means & WORD_GRAMS) != 0)
@@ -413,7 +407,7 @@ choose_percent_or_grams(struct column *c, const struct shape *s,
 				  is_within_percent(s->first, 100, 0.6));
 	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
-	    (s->has_pan || !isnan(total))) {
+	    (!isnan(s->pan) || !isnan(total))) {
 		*scale = OF_MASS;
 		return true;
 	}
@@ -422,12 +416,11 @@ choose_percent_or_grams(struct column *c, const struct shape *s,
 	*scale = one ? OF_1 : OF_100;
 	if (s->most > 100.5) {
 		*scale = OF_MASS;
-		return kind == CUMULATIVE && s->has_pan;
+		return kind == CUMULATIVE && !isnan(s->pan);
 	}
 	if (one && s->most > 0)
 		return is_within_percent(whole, 1, 1.05) && s->n > 2;
-	return kind == PASSING || is_within_percent(whole, 100, 25) ||
-	       (means & WORD_PERCENT) != 0;
+	return kind == PASSING || is_within_percent(whole, 100, 25);
 }
 
 /* True, with *unit set, if the heading alone defines the unit: either the sheet
@@ -460,8 +453,7 @@ static bool
 has_size_classes(const struct table *t)
 {
 	/* 3/8 of an inch is not a class. */
-	bool named = t->unit.series != SIEVE_NONE;
-	for (size_t i = 0; i < t->n_row && !named; i++)
+	for (size_t i = 0; i < t->n_row && t->unit.series == SIEVE_NONE; i++)
 		if (sieve_cell_is_class(t->sheet, t->row[i].cell[0]))
 			return true;
 	return false;
@@ -480,21 +472,6 @@ refuse_small_percentages(struct column *c, const struct shape *s)
 	    "expected %s, got nothing above 1 in column %zu\ncall it fraction, "
 	    "retained_fraction or cum_retained_fraction",
 	    tr(unit->words), c->table->number[c->at]);
-}
-
-/* Adds to the meanings of a column, whose headings state no quantity, those
- * that the title states.  Returns false if the numbers clearly are something
- * else. */
-static bool
-add_title_quantity_to_column(
-    struct column *c, const struct shape *s, double total)
-{
-	uint64_t title = c->table->basis;
-	enum unit_kind kind;
-	enum unit_scale scale;
-	c->said.means |= title;
-	bool sure = guess_quantity_from_numbers(s, total, &kind, &scale);
-	return !sure || (kind == PASSING) == ((title & WORD_PASSES) != 0);
 }
 
 /* Guesses the quantity of a column whose headings state none, in their unit if
@@ -550,7 +527,7 @@ has_masses_down_to_next_size(const struct column *c, const struct shape *s)
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	bool whole = unit->scale == OF_MASS ||
 		     is_within_percent(s->sum, unit->most, 1.05);
-	return c->table->below && unit->kind == RETAINED && !s->has_pan &&
+	return c->table->below && unit->kind == RETAINED && isnan(s->pan) &&
 	       whole;
 }
 
@@ -561,8 +538,8 @@ infer_column_quantity_and_unit(struct column *c, bool told)
 	double total = stated_total_of_column(c);
 	if (c->role == SD || s.n == 0)
 		return;
-	if (!has_size_classes(c->table) &&
-	    is_unit_defined_by_heading(c, &s, told, &c->unit)) {
+	bool classes = has_size_classes(c->table);
+	if (!classes && is_unit_defined_by_heading(c, &s, told, &c->unit)) {
 		if (told)
 			refuse_small_percentages(c, &s);
 		c->to_next = has_masses_down_to_next_size(c, &s);
@@ -572,15 +549,20 @@ infer_column_quantity_and_unit(struct column *c, bool told)
 	enum unit_scale scale;
 	bool title = !told && c->table->basis != 0 &&
 		     (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
-	bool sure = !title || add_title_quantity_to_column(c, &s, total);
+	bool sure = true;
+	if (title) { /* unless the numbers clearly are something else */
+		c->said.means |= c->table->basis;
+		sure =
+		    !guess_quantity_from_numbers(&s, total, &kind, &scale) ||
+		    (kind == PASSING) == ((c->table->basis & WORD_PASSES) != 0);
+	}
 	bool words = (c->said.means & (WORD_PASSES | WORD_STAYS)) != 0;
 	sure = (words ? read_column_quantity_of_heading(
 			    c, &s, total, told, &kind, &scale)
 		      : guess_quantity_in_stated_unit(
 			    c, &s, total, &kind, &scale)) &&
 	       sure;
-	bool classes = has_size_classes(c->table),
-	     doubtful = classes && kind != RETAINED;
+	bool doubtful = classes && kind != RETAINED;
 	/* What is between two sieves does not include what is above. */
 	if (classes && kind == CUMULATIVE)
 		kind = RETAINED;
@@ -634,9 +616,9 @@ static void
 infer_column_speed(struct column *c, const struct surroundings *near)
 {
 	const struct head *said = &c->said;
+	double bare = unitless_speed_in_heading(said);
 	bool told_rpm = said->rpm == 0 && !(near->speed > 0) && near->rpm > 0 &&
-			c->role == PRODUCT &&
-			!(unitless_speed_in_heading(said) > 0);
+			c->role == PRODUCT && !(bare > 0);
 	if (said->several) { /* none is proposed */
 		c->open = true;
 		return;
@@ -646,8 +628,8 @@ infer_column_speed(struct column *c, const struct surroundings *near)
 	} else if (said->rpm > 0 || told_rpm) {
 		c->rpm = told_rpm ? near->rpm : said->rpm;
 		c->speed = speed_in_unit_to_mps(c->rpm, SPEED_RPM, near->rotor);
-	} else if (unitless_speed_in_heading(said) > 0 && said->unknown == 0) {
-		c->speed = unitless_speed_in_heading(said);
+	} else if (bare > 0 && said->unknown == 0) {
+		c->speed = bare;
 		/* A speed that spreads over the feed from the left may not be
 		 * its own. */
 		if (c->role != FEED || !said->spread)
@@ -670,7 +652,6 @@ infer_column_role(struct column *c, const struct surroundings *near)
 {
 	uint64_t role = c->said.means & ROLE_WORDS;
 	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
-	bool speed = heading_has_speed(&c->said);
 	c->role = NO_ROLE;
 	c->open = c->open || (c->said.spread &&
 				 is_heading_unlike_left_one(c->table, c->at));
@@ -678,20 +659,15 @@ infer_column_role(struct column *c, const struct surroundings *near)
 		c->role = SD;
 	else if (role == WORD_FEED)
 		c->role = FEED;
-	else if (role == WORD_PRODUCT)
-		c->role = PRODUCT;
-	else if (role != 0)
+	else if (role != 0 && role != WORD_PRODUCT)
 		c->open = true;
-	else if (speed)
+	else if (role == WORD_PRODUCT || heading_has_speed(&c->said))
 		c->role = PRODUCT;
 	else if (context == WORD_FEED)
 		c->role = FEED;
-	else if (near->speed > 0 || near->rpm > 0)
-		c->role = PRODUCT;
-	else if (context == WORD_PRODUCT)
-		c->role = PRODUCT;
-	else if (unitless_speed_in_heading(&c->said) > 0 &&
-		 c->said.unknown == 0)
+	else if (near->speed > 0 || near->rpm > 0 || context == WORD_PRODUCT ||
+		 (unitless_speed_in_heading(&c->said) > 0 &&
+		     c->said.unknown == 0))
 		c->role = PRODUCT;
 }
 
@@ -886,12 +862,11 @@ classify_columns(struct table *t, const struct surroundings *near,
 	struct error_list *errors = t->sheet->errors;
 	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
 	size_t n = 0, first = all->n;
+	bool counted = false; /* bare numbers in headings are not speeds */
 	for (; n + 1 < t->n_col && !error_is_stop_requested(errors); n++) {
 		column[n] = make_column_from_headings(t, n + 1);
 		set_speed_from_constant_column(&column[n], &around);
-		around.counted =
-		    around.counted ||
-		    is_number_heading_but_no_speed(&column[n].said);
+		counted |= is_number_heading_but_no_speed(&column[n].said);
 	}
 	if (!around.told)
 		refuse_tare_column(column, n);
@@ -899,7 +874,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 	    xrealloc(all->column, all->n + t->n_col, sizeof *all->column);
 	for (size_t i = 0; i < n && !error_is_stop_requested(errors); i++) {
 		struct column c = column[i];
-		if (around.counted && c.said.n_number == 1)
+		if (counted && c.said.n_number == 1)
 			c.said.n_number = 0;
 		bool named = around.samples->n > 0;
 		bool sheet = samples_is_sheet_named(around.samples, t->sheet);
@@ -927,15 +902,6 @@ is_reading_interrupted(const struct columns *all)
 	       error_is_stop_requested(all->column[0].table->sheet->errors);
 }
 
-static void
-drop_column(struct columns *all, size_t i)
-{
-	free(all->column[i].assumed);
-	all->n--;
-	memmove(&all->column[i], &all->column[i + 1],
-	    (all->n - i) * sizeof *all->column);
-}
-
 /* Returns the rank of a column among the quantities of one sample: masses
  * first, because they are exact and include the pan, then those that need the
  * least conversion; last masses that cannot be converted, as there is neither a
@@ -947,7 +913,7 @@ column_preference_by_quantity(const struct column *c)
 	if (c->open)
 		return 9;
 	if (unit->kind == RETAINED && unit->scale == OF_MASS)
-		return summarise_column_numbers(c).has_pan ||
+		return !isnan(summarise_column_numbers(c).pan) ||
 			       !isnan(stated_total_of_column(c))
 			   ? 0
 			   : 4;
@@ -971,15 +937,6 @@ sample_name_from_headings(const struct column *c)
 	return name;
 }
 
-/* True if two columns have the same sample name in their headings. */
-static bool
-has_same_sample_name(const struct column *a, const struct column *b)
-{
-	FREED char *one = sample_name_from_headings(a),
-		   *other = sample_name_from_headings(b);
-	return text_is_same_folded(one, other);
-}
-
 /* True if two columns are the same sample in two quantities, at least one of
  * which is stated. */
 static bool
@@ -1000,8 +957,11 @@ is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 		    a->rpm == b->rpm && numbers &&
 		    (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
 			SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
-	return same &&
-	       (a->role != NO_ROLE || (stated && has_same_sample_name(a, b)));
+	if (!same || a->role != NO_ROLE || !stated)
+		return same && a->role != NO_ROLE;
+	FREED char *one = sample_name_from_headings(a),
+		   *other = sample_name_from_headings(b);
+	return text_is_same_folded(one, other);
 }
 
 /* Returns the words in a column's headings that tell its sample from others:
@@ -1134,7 +1094,7 @@ drop_mean_columns(struct columns *all, struct site *site)
 			continue;
 		leave_out(site, c, "%s: the mean of samples that are read",
 		    c->head.text);
-		drop_column(all, i--);
+		site_column_drop(all, i--);
 	}
 }
 
@@ -1170,15 +1130,12 @@ drop_columns_of_same_sample(struct columns *all, struct site *site)
 static void
 use_only_feed_for_all_runs(struct columns *all)
 {
-	struct column *only = NULL;
-	size_t n = 0;
-	for (size_t i = 0; i < all->n; i++)
-		if (all->column[i].role == FEED) {
-			only = &all->column[i];
-			n++;
-		}
-	if (n == 1 && only->said.spread && all->n > 2)
-		only->speed = only->rpm = 0;
+	bool only = site_column_count_by_role(all, NULL, FEED) == 1;
+	for (size_t i = 0; i < all->n && only && all->n > 2; i++) {
+		struct column *c = &all->column[i];
+		if (c->role == FEED && c->said.spread)
+			c->speed = c->rpm = 0;
+	}
 }
 
 /* Returns false if two feeds have the same heading, as they may be repeats. */
@@ -1298,11 +1255,9 @@ classify_columns_together(
 {
 	size_t feeds = site_column_count_by_role(all, NULL, FEED);
 	size_t products = site_column_count_by_role(all, NULL, PRODUCT);
-	for (size_t i = 0; i < all->n; i++)
-		*wants_rotor = *wants_rotor || (all->column[i].rpm > 0 &&
-						   !(all->column[i].speed > 0));
 	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		struct column *c = &all->column[i];
+		*wants_rotor |= c->rpm > 0 && !(c->speed > 0);
 		if (c->role != NO_ROLE)
 			continue;
 		struct shape s = summarise_column_numbers(c);
@@ -1316,7 +1271,7 @@ classify_columns_together(
 		if (unknown && feeds + products > 0) {
 			leave_out(site, c, "%s: neither feed nor product",
 			    c->head.text);
-			drop_column(all, i--);
+			site_column_drop(all, i--);
 		}
 	}
 	drop_mean_columns(all, site);
@@ -1333,8 +1288,7 @@ classify_columns_together(
 		if (c->twin > 0)
 			continue;
 		c->open = c->open || c->role == NO_ROLE ||
-			  (c->role == PRODUCT && !(c->speed > 0)) ||
-			  (c->role == SD && !(c->speed > 0));
+			  (c->role != FEED && !(c->speed > 0));
 		number_column_of_speed(all, i);
 	}
 }

@@ -14,12 +14,11 @@
  * if not known.  speed, rpm: m/s and rpm of samples whose headings state no
  * speed, or 0.  context: the meanings of the words around the table (its title,
  * the name of its sheet or file), which tell feed from product.  told: the user
- * gave the headings.  counted: bare numbers in headings are not tip speeds.
- * samples: those that the user described by name. */
+ * gave the headings.  samples: those that the user described by name. */
 struct surroundings {
 	double rotor, speed, rpm;
 	uint64_t context;
-	bool told, counted;
+	bool told;
 	struct samples *samples;
 };
 

@@ -433,28 +433,25 @@ is_heading_of_belt_speed(const char *folded)
 }
 
 /* Reads a heading.  *left gets the text without its speeds, which the caller
- * frees; left may be NULL. */
+ * frees. */
 static struct head
 parse_heading_text(const char *text, char **left)
 {
 	FREED char *folded = text_fold_case_and_accents(text);
 	replace_nonbreaking_blanks(folded);
 	FREED char *words = xcalloc(strlen(folded) + 1, 1);
-	char *rest = xcalloc(strlen(folded) + 1, 1);
-	struct head head = parse_speeds_out_of_text(folded, words, rest);
-	if (is_heading_of_belt_speed(folded))
-		head = (struct head){.means = WORD_OTHER};
-	if (left != NULL)
-		*left = rest;
-	else
-		free(rest);
-	return head;
+	*left = xcalloc(strlen(folded) + 1, 1);
+	struct head head = parse_speeds_out_of_text(folded, words, *left);
+	return is_heading_of_belt_speed(folded)
+		   ? (struct head){.means = WORD_OTHER}
+		   : head;
 }
 
 struct head
 heading_parse(const char *text)
 {
-	return parse_heading_text(text, NULL);
+	FREED char *left = NULL;
+	return parse_heading_text(text, &left);
 }
 
 /* The slowest speed in a name, m/s; "12 MS" may be initials. */

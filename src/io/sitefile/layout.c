@@ -452,11 +452,10 @@ mark_less_than_sizes_as_sieves(struct sheet_grid *g)
 static void
 shift_headings_if_one_short(struct sheet_grid *g)
 {
-	size_t h = 0, wide = g->n_col;
+	size_t wide = g->n_col;
 	double v;
-	while (h < g->n_row && (wide < 3 || is_cell_filled(g, h, wide - 1)))
-		h++;
-	if (h != 0 || g->n_row < 4 || !is_cell_filled(g, 0, wide - 2))
+	if (g->n_row < 4 || wide < 3 || is_cell_filled(g, 0, wide - 1) ||
+	    !is_cell_filled(g, 0, wide - 2))
 		return;
 	for (size_t r = 1; r < g->n_row; r++)
 		if (!is_cell_filled(g, r, wide - 1) ||
@@ -718,9 +717,8 @@ are_columns_class_ends(
 		if (!number_value_of_cell(*cell_at(g, r, low->c), &a) ||
 		    !number_value_of_cell(*cell_at(g, r, up->c), &b) || a >= b)
 			return false;
-		double before = r > low->first ? last : (double)NAN;
-		joined += b == before;
-		number_value_of_cell(*cell_at(g, r, low->c), &last);
+		joined += b == last;
+		last = a;
 		n++;
 	}
 	return n > 2 && joined + 1 == n;
@@ -862,8 +860,7 @@ static size_t
 end_of_ordered_numbers(
     const struct sheet_grid *g, size_t r, size_t c, bool *sizes, bool *phi)
 {
-	double v, first = NAN, last = NAN, step = NAN, least = INFINITY,
-		  most = 0;
+	double v, last = NAN, step = NAN, least = INFINITY, most = 0;
 	bool even = true, quarters = true;
 	for (; r < g->n_row && !g->gap[r]; r++) {
 		if (!number_value_of_cell(*cell_at(g, r, c), &v) ||
@@ -875,7 +872,6 @@ end_of_ordered_numbers(
 		quarters = quarters && 4 * v == floor(4 * v) &&
 			   fabs(v) <= SIEVE_MOST_PHI;
 		step = v - last;
-		first = isnan(first) ? v : first;
 		last = v;
 		least = fmin(least, v);
 		most = fmax(most, v);
@@ -885,13 +881,14 @@ end_of_ordered_numbers(
 	return r;
 }
 
-/* Finds the next series of numbers in a column, from row p->last on, that may
- * be sizes and have numbers beside them.  *phi: they may be in phi. */
+/* Finds the first series of numbers in a column that may be sizes and have
+ * numbers beside them.  below_0: as in find_tables_by_number_series; *phi: they
+ * may be in phi. */
 static bool
-find_next_ordered_numbers(
-    const struct sheet_grid *g, size_t c, struct place *p, bool *phi)
+find_ordered_numbers(const struct sheet_grid *g, size_t c, bool below_0,
+    struct place *p, bool *phi)
 {
-	for (size_t r = p->last;
+	for (size_t r = 0;
 	     r < g->n_row && !error_is_stop_requested(g->sheet->errors); r++) {
 		bool sizes;
 		size_t first = r;
@@ -905,7 +902,8 @@ find_next_ordered_numbers(
 			strcmp(cell_at(g, first - 1, c)->text,
 			    cell_at(g, first - 1, upper->c)->text) == 0);
 		if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
-		    is_heading_of_other_than_sieves(g, first, c) || !like)
+		    is_heading_of_other_than_sieves(g, first, c) || !like ||
+		    (below_0 && !*phi))
 			continue;
 		head = head && !is_sieve_size_or_pan_cell(g, first - 1, c);
 		*p = (struct place){c, head ? first - 1 : g->n_row, first, end,
@@ -923,30 +921,13 @@ static void
 find_tables_by_number_series(struct sheet_grid *g, bool below_0)
 {
 	for (size_t c = 0; c + 1 < g->n_col; c++) {
-		struct place p = {.last = 0};
-		bool phi = false, any = true;
-		do
-			any = find_next_ordered_numbers(g, c, &p, &phi);
-		while (any && below_0 && !phi);
-		if (!any)
+		struct place p;
+		bool phi;
+		if (!find_ordered_numbers(g, c, below_0, &p, &phi))
 			continue;
 		add_table_location_in_sheet(g, p);
 		g->phi[c] = g->phi[c] || phi;
 	}
-}
-
-static void
-find_tables_by_any_number_series(struct sheet_grid *g)
-{
-	find_tables_by_number_series(g, false);
-}
-
-/* Tried before find_tables_without_headings, which would take sizes in phi for
- * mm. */
-static void
-find_tables_by_phi_series(struct sheet_grid *g)
-{
-	find_tables_by_number_series(g, true);
 }
 
 /* Finds the tables in a column that has sieves according to the user, each from
@@ -983,32 +964,21 @@ find_tables_in_given_columns(
 		}
 }
 
-/* True if a row has only a label such as "% passing" that is about all columns,
- * so there may be further headings above it. */
-static bool
-is_heading_of_all_columns(
-    const struct sheet_grid *g, size_t r, const struct place *p, size_t end)
-{
-	const uint64_t all =
-	    WORD_PASSES | WORD_STAYS | WORD_PERCENT | WORD_GRAMS | WORD_MASS;
-	for (size_t k = p->c + 1; k < end; k++)
-		if (is_cell_filled(g, r, k))
-			return false;
-	const struct nature *n = cell_classification_at(g, r, p->c);
-	return g->across && (n->means & all) != 0 && n->unknown == 0;
-}
-
 /* True if row r, above the heading of the sieves, is a heading too: it
- * describes the columns, and is neither a key with its value nor a title. */
+ * describes the columns, and is neither a key with its value nor a title; or it
+ * has only a label such as "% passing" that is about all columns. */
 static bool
 is_further_heading_row(
     const struct sheet_grid *g, size_t r, const struct place *p, size_t end)
 {
+	const uint64_t all =
+	    WORD_PASSES | WORD_STAYS | WORD_PERCENT | WORD_GRAMS | WORD_MASS;
+	const struct nature *n = cell_classification_at(g, r, p->c);
 	size_t filled = 0;
 	for (size_t k = p->c + 1; k < end; k++)
 		filled += is_cell_filled(g, r, k);
 	if (filled == 0)
-		return false;
+		return g->across && (n->means & all) != 0 && n->unknown == 0;
 	if (!is_cell_filled(g, r, p->c))
 		return true;
 	if (filled == 2 && is_unit_after_value(g, r, p->c + 2))
@@ -1037,8 +1007,8 @@ append_sheet_table_row(const struct sheet_grid *g, size_t r, struct table *t,
     struct row **list, size_t *n_list)
 {
 	size_t n = t->n_col;
-	struct row row = {.n = n, .n_all = n};
-	row.cell = xcalloc(n, sizeof *row.cell);
+	struct row row = {
+	    .n = n, .n_all = n, .cell = xcalloc(n, sizeof *row.cell)};
 	for (size_t i = 0; i < n; i++) {
 		row.cell[i] = *cell_at(g, r, t->column[i]);
 		cell_classification_at(g, r, t->column[i])->used = true;
@@ -1273,8 +1243,7 @@ add_one_table_to_layout(const struct sheet_grid *g, const struct place *p,
 	list_filled_columns(g, p, from, end, t);
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
-	       (is_further_heading_row(g, top - 1, p, end) ||
-		   is_heading_of_all_columns(g, top - 1, p, end)) &&
+	       is_further_heading_row(g, top - 1, p, end) &&
 	       !cell_classification_at(g, top - 1, p->c)->used)
 		top--;
 	for (size_t r = top; r < p->first; r++)
@@ -1394,6 +1363,12 @@ is_page_number(const char *text)
 	return false;
 }
 
+int
+layout_first_line_of_table(const struct table *t)
+{
+	return t->n_head > 0 ? t->head[0].line : t->row[0].line;
+}
+
 /* True if a line between two tables differs from all lines above it: it may
  * name another test. */
 static bool
@@ -1401,7 +1376,7 @@ has_unseen_text_between_tables(const struct layout *layout,
     const struct table *t, const struct table *rest)
 {
 	int from = t->row[t->n_row - 1].line;
-	int to = rest->n_head > 0 ? rest->head[0].line : rest->row[0].line;
+	int to = layout_first_line_of_table(rest);
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		size_t k = 0;
@@ -1450,7 +1425,7 @@ join_continued_tables(struct layout *layout)
 static void
 find_end_of_tables_above(const struct layout *layout, struct table *t)
 {
-	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
+	int top = layout_first_line_of_table(t);
 	for (size_t b = 0; b < layout->n; b++) {
 		const struct table *other = &layout->table[b];
 		const struct row *end = other->n_foot > 0
@@ -1489,10 +1464,18 @@ layout_column_heading_text(const struct table *t, size_t c)
 	return text;
 }
 
-/* Ways to find tables.  Each is tried if those before it found none. */
-static void (*const FINDERS[])(struct sheet_grid *) = {
-    find_tables_with_headings, find_tables_by_phi_series,
-    find_tables_without_headings, find_tables_by_any_number_series};
+/* Finds tables in one of four ways, from 0.  Each is tried if those before it
+ * found none; without headings, sizes in phi would be taken for mm. */
+static void
+find_tables_in_way(struct sheet_grid *g, size_t way)
+{
+	if (way == 0)
+		find_tables_with_headings(g);
+	else if (way == 2)
+		find_tables_without_headings(g);
+	else
+		find_tables_by_number_series(g, way == 1);
+}
 
 struct layout *
 layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
@@ -1507,10 +1490,10 @@ layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 	classify_all_sheet_cells(&g);
 	find_next_number_of_each_cell(&g);
 	struct sheet_grid t = transpose_sheet_grid(&g);
-	size_t ways = range.n_sieves > 0 ? 1 : ARRAY_LEN(FINDERS);
+	size_t ways = range.n_sieves > 0 ? 1 : 4;
 	for (size_t i = 0; i < ways && g.n_place + t.n_place == 0; i++) {
-		FINDERS[i](&g);
-		FINDERS[i](&t);
+		find_tables_in_way(&g, i);
+		find_tables_in_way(&t, i);
 	}
 	if (range.n_sieves > 0) {
 		find_tables_in_given_columns(&g, &range);

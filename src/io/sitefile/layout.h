@@ -78,6 +78,10 @@ char *layout_adopt_text(struct table *t, char *text);
  * caller frees it. */
 char *layout_column_heading_text(const struct table *t, size_t c);
 
+/* Returns the line of a table's first heading or, without one, of its first
+ * row. */
+int layout_first_line_of_table(const struct table *t);
+
 struct layout *layout_new_of_sheet(
     struct sheet *sheet, struct layout_range range);
 void layout_free(struct layout *layout);

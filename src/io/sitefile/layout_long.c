@@ -62,22 +62,17 @@ is_numeric_column(const struct table *t, size_t c)
 static enum use
 guess_column_use(const struct table *t, size_t c, const struct head *head)
 {
-	bool numeric = is_numeric_column(t, c);
 	if ((head->means & (WORD_OTHER | WORD_LIMIT)) != 0)
 		return UNUSED;
-	if (!numeric)
+	if (!is_numeric_column(t, c))
 		return KEY;
-	bool speed = heading_has_speed(head);
-	bool percent = (head->means & WORD_PERCENT) != 0;
-	if (!speed && !percent &&
+	if (!heading_has_speed(head) && (head->means & WORD_PERCENT) == 0 &&
 	    (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0))
 		return KEY;
+	/* the number of a sample, or per cent of full speed */
 	bool other = (head->means & (WORD_SAMPLE | WORD_SPEED)) != 0 &&
 		     (head->means & (COUNTED & ~WORD_PERCENT)) == 0;
-	if (other)
-		/* the number of a sample, or per cent of full speed */
-		return COUNT;
-	return VALUE;
+	return other ? COUNT : VALUE;
 }
 
 static bool

@@ -255,12 +255,14 @@ list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
 		ask->settle = xstrdup(settle);
 }
 
-/* Returns the files and options of the request, as `load` takes them, without
- * what the answer replaces. */
+/* Returns the command that loads the files with the answer, and the options of
+ * the request that it does not replace.  If a sheet is read only for its feed,
+ * its command does not have these options, so the sheet is loaded and written
+ * anew. */
 static char *
-load_files_and_options_text(const struct site_request *q, const char *settle)
+load_command_text_with_answer(const struct site_request *q, const char *settle)
 {
-	char *list = xstrdup("");
+	FREED char *list = xstrdup("");
 	struct site_request rest = *q;
 	for (size_t i = 0; i < q->n; i++) {
 		FREED char *word = site_request_file_text(q, i);
@@ -273,19 +275,8 @@ load_files_and_options_text(const struct site_request *q, const char *settle)
 	if (strstr(settle, "samples=") != NULL)
 		rest.samples = NULL;
 	FREED char *options = site_request_options_text(&rest);
-	xappend(&list, "%s", options);
-	return list;
-}
-
-/* Returns the command that loads the files with the answer.  If a sheet is read
- * only for its feed, its command does not have these options, so the sheet is
- * loaded and written anew. */
-static char *
-load_command_text_with_answer(const struct site_request *q, const char *settle)
-{
-	FREED char *files = load_files_and_options_text(q, settle);
-	char *line =
-	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
+	char *line = xasprintf(
+	    "%s %s%s %s", q->parts ? "add" : "load", list, options, settle);
 	const char *name = file_name_without_folders(q->path[0]);
 	if (q->feed)
 		xappend(&line, "; write \"%.*s-read.csv\"",
@@ -351,10 +342,9 @@ propose_tables_of_site(struct tables *s)
 	while (feed < s->n &&
 	       site_column_count_by_role(s->all, s->table[feed], FEED) == 0)
 		feed++;
-	feed = feed < s->n ? feed : 0;
-	s->first = s->last = feed;
-	if (site_column_count_by_role(s->all, s->table[feed], FEED) == 0)
+	if (feed == s->n) /* then the first table is */
 		return;
+	s->first = s->last = feed;
 	while (s->last + 1 < s->n &&
 	       is_table_of_same_site(s, s->last + 1, feed, like)) {
 		s->last++;
@@ -405,32 +395,36 @@ cell_range_of_table_rows(const struct table *t, size_t n_row)
 	return box;
 }
 
-/* Describes the samples that a table seems to contain: "feed, product@69". */
+char *
+site_ask_samples_of_table(
+    const struct table *t, const struct columns *all, size_t most)
+{
+	size_t n = 0;
+	char *list = xstrdup("");
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->role == NO_ROLE)
+			continue;
+		FREED char *words = classify_describe_column(c);
+		char *speed = strstr(words, "@SPEED");
+		*(speed != NULL ? speed : words + strcspn(words, " ")) = '\0';
+		if (n++ < most)
+			xappend_to_list(&list, ", ", "%s", words);
+	}
+	if (n > most)
+		xappend(&list, ", ..");
+	return list;
+}
+
+/* Describes the samples that a table seems to contain. */
 static char *
 describe_samples_of_table(const struct table *t, const struct columns *all)
 {
-	enum { MOST = 3 };
-	size_t n = 0;
-	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n && !title_mentions_limits_or_mean(t);
-	     i++) {
-		const struct column *c = &all->column[i];
-		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
-			continue;
-		FREED char *words = classify_describe_column(c);
-		words[strcspn(words, " ")] = '\0';
-		if (n++ < MOST)
-			xappend_to_list(&list, ", ", "%s",
-			    strstr(words, "@SPEED") != NULL
-				? SITE_ROLES[c->role]
-				: words);
-	}
-	if (n > MOST)
-		xappend(&list, ", ..");
-	if (n == 0)
-		xappend(&list, "%s",
-		    title_mentions_limits_or_mean(t) ? tr("limits or a mean")
-						     : tr("not said"));
+	if (title_mentions_limits_or_mean(t))
+		return xstrdup(tr("limits or a mean"));
+	char *list = site_ask_samples_of_table(t, all, 3);
+	if (list[0] == '\0')
+		xappend(&list, "%s", tr("not said"));
 	return list;
 }
 
@@ -568,10 +562,8 @@ only_number_above_100(const struct column *c)
 			continue;
 		n++;
 		v /= 1 + 1e-9;
-		if (v < 0 || v > 100)
-			n_above++;
-		if (v > 100)
-			above = cell;
+		n_above += v < 0 || v > 100;
+		above = v > 100 ? cell : above;
 	}
 	bool mass = SITE_UNITS[c->unit].scale == OF_MASS &&
 		    (c->said.means & WORD_GRAMS) != 0;
@@ -628,7 +620,7 @@ ask_which_site_samples(const struct site_request *q, const struct columns *all,
 {
 	const struct column *other = first + 1;
 	while (other < all->column + all->n - 1 &&
-	       (other->whose == NULL || can_be_of_same_site(first, other)))
+	       can_be_of_same_site(first, other))
 		other++;
 	const char *two = other->whose != NULL ? other->whose : "";
 	return report_question_as_fault(q, first->table, first->head, ask,
@@ -734,9 +726,8 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	const struct column *first = NULL;
 	if (open->twice != NULL)
 		return ask_about_sieves_listed_twice(open, q, ask);
-	for (size_t i = 0; i < all->n; i++)
-		if (all->column[i].open && first == NULL)
-			first = &all->column[i];
+	for (size_t i = 0; i < all->n && first == NULL; i++)
+		first = all->column[i].open ? &all->column[i] : NULL;
 	if (open->number.text != NULL) {
 		ask->settle = xstrdup("decimal=point|comma");
 		return report_question_as_fault(q, table[0], open->number, ask,
@@ -812,28 +803,6 @@ may_sizes_be_upper_ends(const struct column *c)
 	       c->pct[at] < 100 - MUCH && fabs(c->pct[finest]) < NOTHING;
 }
 
-/* Asks whether the sizes are sieves or upper ends of classes, and proposes
- * neither. */
-static void
-ask_whether_sizes_are_class_ends(const struct column *c,
-    const struct site_request *q, double coarser, struct site_ask *ask)
-{
-	const struct table *t = c->table;
-	size_t at = c->below - 1;
-	bool alone = t->sheet->errors->n == 0;
-	char p[32];
-	FREED char *settle = xasprintf("top=%g", coarser);
-	FREED char *line = load_command_text_with_answer(q, settle);
-	sheet_report_fault(t->sheet, t->row[at].cell[c->at],
-	    "the coarsest sieve, %g mm, passes %s %% of the feed, and the "
-	    "finest nothing: are these sieves, or the upper ends of classes?\n"
-	    "for classes write both ends in the sheet, such as 8-16 and "
-	    "0-0.063; for sieves say which size all of the feed passes: %s",
-	    t->mm[at], site_column_passing_text(c, at, 100, p), line);
-	if (alone)
-		ask->settle = xstrdup("top=");
-}
-
 void
 site_ask_top_size(
     const struct column *c, const struct site_request *q, struct site_ask *ask)
@@ -841,33 +810,38 @@ site_ask_top_size(
 	const struct table *t = c->table;
 	size_t at = c->below - 1;
 	double coarser = next_sieve_up(c, t->mm[at]);
-	if (may_sizes_be_upper_ends(c)) {
-		ask_whether_sizes_are_class_ends(c, q, coarser, ask);
-		return;
-	}
-	bool alone = t->sheet->errors->n == 0;
-	bool much = c->pct[at] < 90;
-	double further = much ? next_sieve_up(c, coarser) : 0;
+	bool alone = t->sheet->errors->n == 0, much = c->pct[at] < 90;
+	/* then neither is proposed */
+	bool ends = may_sizes_be_upper_ends(c);
+	double further = much && !ends ? next_sieve_up(c, coarser) : 0;
 	char p[32];
-	char *settle = xasprintf("top=%g", coarser);
+	site_column_passing_text(c, at, 100, p);
+	FREED char *settle = xasprintf("top=%g", coarser);
 	FREED char *passes =
 	    much ? xasprintf(tr("%g mm, the next sieve up (or %g mm or more, "
 				"since much is coarser)"),
 		       coarser, further)
 		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
 	FREED char *line = load_command_text_with_answer(q, settle);
-	sheet_report_fault(t->sheet, t->row[at].cell[c->at],
-	    "the coarsest sieve, %g mm, passes %s %% of the feed, as is usual: "
-	    "which size does all of it pass?\n"
-	    "take %s%s: %s",
-	    t->mm[at], site_column_passing_text(c, at, 100, p), passes,
-	    hint_to_write_feed_again(q), line);
-	if (alone) {
-		ask->settle = settle;
-		ask->further = further;
-	} else {
-		free(settle);
-	}
+	if (ends)
+		sheet_report_fault(t->sheet, t->row[at].cell[c->at],
+		    "the coarsest sieve, %g mm, passes %s %% of the feed, and "
+		    "the finest nothing: are these sieves, or the upper ends "
+		    "of classes?\n"
+		    "for classes write both ends in the sheet, such as 8-16 "
+		    "and 0-0.063; for sieves say which size all of the feed "
+		    "passes: %s",
+		    t->mm[at], p, line);
+	else
+		sheet_report_fault(t->sheet, t->row[at].cell[c->at],
+		    "the coarsest sieve, %g mm, passes %s %% of the feed, as "
+		    "is usual: which size does all of it pass?\n"
+		    "take %s%s: %s",
+		    t->mm[at], p, passes, hint_to_write_feed_again(q), line);
+	if (!alone)
+		return;
+	ask->settle = xstrdup(ends ? "top=" : settle);
+	ask->further = further;
 }
 
 void

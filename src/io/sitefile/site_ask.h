@@ -25,6 +25,11 @@ struct open {
  * been noted. */
 void site_ask_find_ambiguous_number(struct open *open, const struct table *t);
 
+/* Returns the samples of a table, "feed, product@69", the first ones if there
+ * are more than `most`. */
+char *site_ask_samples_of_table(
+    const struct table *t, const struct columns *all, size_t most);
+
 /* If a question is open, reports it as one fault, fills *ask with it and
  * returns true. */
 bool site_ask_pending_question(const struct open *open,

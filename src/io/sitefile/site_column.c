@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -42,6 +43,15 @@ site_unit_index(enum unit_kind kind, enum unit_scale scale)
 	       (SITE_UNITS[i].kind != kind || SITE_UNITS[i].scale != scale))
 		i++;
 	return i < SITE_N_UNIT ? i : 0;
+}
+
+void
+site_column_drop(struct columns *all, size_t i)
+{
+	free(all->column[i].assumed);
+	all->n--;
+	memmove(&all->column[i], &all->column[i + 1],
+	    (all->n - i) * sizeof *all->column);
 }
 
 /* Speeds that differ by at most this, m/s, are the same, as for
@@ -378,39 +388,34 @@ total_mass_on_sieves(struct column *c)
 	struct foot foot;
 	if (!add_washed_mass_to_pan(c, &foot))
 		return 0;
-	struct cell where = foot.where;
-	bool weighed = foot.weighed;
 	double total = foot.total, sum = sum_of_column(c);
 	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
-	if (isnan(c->pan) && isnan(total) && c->twin == 0)
+	bool unknown = isnan(c->pan) && isnan(total);
+	if (unknown && c->twin == 0)
 		sheet_report_fault(c->table->sheet, c->head,
 		    "expected the mass in the pan, got none in column %s\n"
 		    "add a last row: pan, with the mass below the finest sieve "
 		    "(0 if there was none), or a row total with the mass "
 		    "sieved",
 		    c->head.text);
-	if (isnan(c->pan) && isnan(total)) /* a twin is not needed */
+	if (unknown) /* a twin is not needed */
 		return 0;
 	if (cumulative)
 		return total;
-	if (isnan(c->pan) && total < sum * (1 - MASS_TOLERANCE)) {
-		check_stated_total(c, where, total, sum);
-		return 0;
-	}
-	if (isnan(c->pan))
+	if (isnan(c->pan) && total >= sum * (1 - MASS_TOLERANCE))
 		return fmax(total, sum);
-	if (!(sum > 0)) {
+	if (!isnan(c->pan) && !(sum > 0)) {
 		sheet_report_fault(c->table->sheet, c->head,
 		    "expected a mass, got 0 g in column %s\n"
 		    "fill the column or remove it",
 		    c->head.text);
 		return 0;
 	}
-	if (!check_stated_total(c, where, total, sum))
+	if (!check_stated_total(c, foot.where, total, sum))
 		return 0;
-	return weighed ? fmax(total, sum) : sum; /* as in EN 933-1 */
+	return foot.weighed ? fmax(total, sum) : sum; /* as in EN 933-1 */
 }
 
 /* Returns the total that percentages or fractions retained are shares of, or 0
@@ -542,8 +547,7 @@ site_column_read_values(struct column *c)
 		c->below = i < t->n_row && c->pct[i] < 100 ? i + 1 : 0;
 	}
 	size_t least = c->role == FEED ? 2 : 1;
-	if (c->role == SD || c->twin > 0 || c->faulty || t->lost ||
-	    site_column_count_values(c) >= least)
+	if (!whole || c->twin > 0 || site_column_count_values(c) >= least)
 		return;
 	sheet_report_fault(t->sheet, c->head,
 	    "expected %zu or more sieves, got %zu in column %s\n"

@@ -78,6 +78,9 @@ struct columns {
  * curve. */
 void site_column_read_values(struct column *c);
 
+/* Takes a column out of the list. */
+void site_column_drop(struct columns *all, size_t i);
+
 /* Returns the number of columns with that role in a table, or in all if t is
  * NULL. */
 size_t site_column_count_by_role(

@@ -88,7 +88,7 @@ parse_day_in_cell(
 char *
 site_day_of_sample(const struct table *t, size_t c)
 {
-	char *stated = NULL, *other = NULL;
+	FREED char *stated = NULL, *other = NULL;
 	struct datetime m;
 	if (t->day != NULL && t->day[c] != NULL && is_date(t->day[c], &m))
 		return format_date_for_site(t->day[c]);
@@ -105,9 +105,7 @@ site_day_of_sample(const struct table *t, size_t c)
 		if (lexicon_is_date_label(t->foot[r].cell[0].text))
 			parse_day_in_cell(&stated, &other, &t->foot[r],
 			    t->foot[r].cell[c].text);
-	FREED char *first = stated != NULL ? stated : other;
-	if (stated != NULL)
-		free(other);
+	const char *first = stated != NULL ? stated : other;
 	return first != NULL && first[0] != '\0' ? xstrdup(first) : NULL;
 }
 

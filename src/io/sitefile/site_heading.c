@@ -4,6 +4,7 @@
 #include "io/sitefile/site_heading.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -109,17 +110,15 @@ rotor_mm_of_key(const struct sheet *sheet, struct cell key, struct cell value)
 	return mm < 100 || mm > 5000 ? 0 : mm;
 }
 
-/* Takes a speed in m/s or rpm (0: not stated).  If another one was taken
- * before, sets speed->differ. */
-static void
-record_heading_speed(struct heading_speed *speed, double mps, double rpm)
+void
+site_heading_record_speed(struct heading_speed *speed, double mps, double rpm)
 {
 	speed->differ =
 	    speed->differ ||
 	    (speed->mps > 0 && mps > 0 && fabs(speed->mps - mps) > 1e-3) ||
 	    (speed->rpm > 0 && rpm > 0 && fabs(speed->rpm - rpm) > 1e-3);
-	speed->mps = mps > 0 ? mps : speed->mps;
-	speed->rpm = rpm > 0 ? rpm : speed->rpm;
+	speed->mps = speed->differ ? 0 : mps > 0 ? mps : speed->mps;
+	speed->rpm = speed->differ ? 0 : rpm > 0 ? rpm : speed->rpm;
 }
 
 /* Takes a speed from "tip speed; 70 m/s" or "varvtal; 1350", but not the
@@ -137,15 +136,15 @@ site_heading_parse_speed(const struct sheet *sheet, struct cell key,
 	if (!about || (v.several && v.unit != SPEED_NO_UNIT))
 		return false;
 	if (heading_has_speed(&v)) {
-		record_heading_speed(speed, v.speed, v.rpm);
+		site_heading_record_speed(speed, v.speed, v.rpm);
 		return true;
 	}
 	if (!read_first_number_of_cell(sheet, value, &number) || number <= 0)
 		return false;
 	if (unit == SPEED_RPM)
-		record_heading_speed(speed, 0, number);
+		site_heading_record_speed(speed, 0, number);
 	else if (unit != SPEED_NO_UNIT || number < 150)
-		record_heading_speed(
+		site_heading_record_speed(
 		    speed, speed_in_unit_to_mps(number, unit, 0), 0);
 	else
 		return false;
@@ -158,11 +157,10 @@ static bool
 parse_speeds(const struct sheet *sheet, struct cell key, struct cell value,
     const struct cell *third, struct heading_speed *speed)
 {
-	if (!site_heading_parse_speed(sheet, key, value, speed))
-		return false;
-	if (third != NULL)
+	bool found = site_heading_parse_speed(sheet, key, value, speed);
+	if (found && third != NULL)
 		site_heading_parse_speed(sheet, key, *third, speed);
-	return true;
+	return found;
 }
 
 /* Splits a cell such as "Speed: 70 m/s" into key and value, whose texts are in
@@ -267,14 +265,14 @@ begins_with_site_key(const char *text)
 	return false;
 }
 
-/* Notes that a line of numbers above the table, which heads nothing, is not
- * read. */
-static void
-note_numbers_above_table(struct site *site, const struct cell *key)
+void
+site_heading_leave_out(struct site *site, int line, const char *format, ...)
 {
-	FREED char *where = xasprintf(tr("line %d"), key->line);
-	FREED char *what = xasprintf(tr("%.*s: numbers above the table"),
-	    sheet_truncated_text_length(key->text), key->text);
+	va_list ap;
+	va_start(ap, format);
+	FREED char *what = xvasprintf(tr(format), ap);
+	va_end(ap);
+	FREED char *where = xasprintf(tr("line %d"), line);
 	site_notes_append(&site->left_out, &site->n_left_out, where, what);
 }
 
@@ -335,7 +333,9 @@ read_other_key(struct site *site, const struct sheet *sheet, struct cell key,
 	if (!(mm > 0) && value != NULL)
 		parse_speeds(sheet, key, *value, third, speed);
 	if (third != NULL && number_value_of_cell(*third, &number))
-		note_numbers_above_table(site, &key);
+		site_heading_leave_out(site, key.line,
+		    "%.*s: numbers above the table",
+		    sheet_truncated_text_length(key.text), key.text);
 	else if (!(mm > 0 && strcmp(key.text, "rotor_mm") == 0))
 		site_notes_append(&site->note, &site->n_note, key.text,
 		    value != NULL ? value->text : "");

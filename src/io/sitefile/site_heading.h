@@ -8,13 +8,19 @@
 
 /* Reads the lines above the tables into the site: name, rock, rotor, and other
  * lines as notes.  other_site: they, or lines between tables, name another
- * site, rock or machine than those of an earlier sheet or table. */
+ * site, rock or machine than those of an earlier sheet or table.  mps, rpm: the
+ * speed, or 0 if none is stated, or several that differ. */
 struct heading_speed {
 	double mps, rpm;
 	bool differ, other_site;
 };
 void site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);
+
+/* Takes a speed in m/s or rpm (0: not stated).  If another one was taken
+ * before, sets speed->differ. */
+void site_heading_record_speed(
+    struct heading_speed *speed, double mps, double rpm);
 
 /* Takes the speed that a line states with a key, "tip speed; 70".  Returns
  * false if it states none. */
@@ -46,5 +52,9 @@ char *site_heading_rotors_text(const struct heading_rotor *said);
 /* Returns the name of a file without folder and extension, with "_" for each
  * byte that cannot be written to a sheet.  The caller frees it. */
 char *site_heading_name_from_path(const char *path);
+
+/* Notes that a line, or a part of it, is not read. */
+void site_heading_leave_out(struct site *site, int line, const char *format,
+    ...) __attribute__((format(printf, 3, 4)));
 
 #endif

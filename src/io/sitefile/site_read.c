@@ -201,24 +201,22 @@ report_missing_columns(struct reading *r)
 {
 	bool parts = r->request->parts;
 	const struct row *top = &r->table[0]->row[0];
+	struct cell sieves = site_sieve_heading_cell(r->table[0]);
 	if (r->all.n == 0)
 		sheet_report_fault(r->table[0]->sheet,
-		    top->n_all > 1 ? top->cell[1]
-				   : site_sieve_heading_cell(r->table[0]),
+		    top->n_all > 1 ? top->cell[1] : sieves,
 		    "expected numbers below the headings, got none\nfill in "
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
 	else if (site_column_count_by_role(&r->all, NULL, FEED) == 0 && !parts)
-		sheet_report_fault(r->table[0]->sheet,
-		    site_sieve_heading_cell(r->table[0]),
+		sheet_report_fault(r->table[0]->sheet, sieves,
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
 		    "feed.csv %s@SPEED",
 		    r->request->path[0]);
 	else if (site_column_count_by_role(&r->all, NULL, PRODUCT) == 0 &&
 		 parts)
-		sheet_report_fault(r->table[0]->sheet,
-		    site_sieve_heading_cell(r->table[0]),
+		sheet_report_fault(r->table[0]->sheet, sieves,
 		    "expected a product, got a feed only\n"
 		    "add takes samples of product; load this file as a site");
 }
@@ -429,17 +427,6 @@ make_runs_of_site(struct site *site, const struct columns *t)
 	site_update_digest_and_mean_feed(site);
 }
 
-static void __attribute__((format(printf, 3, 4)))
-leave_out(struct site *site, int line, const char *format, ...)
-{
-	va_list ap;
-	va_start(ap, format);
-	FREED char *what = xvasprintf(tr(format), ap);
-	va_end(ap);
-	FREED char *where = xasprintf(tr("line %d"), line);
-	site_notes_append(&site->left_out, &site->n_left_out, where, what);
-}
-
 /* Notes the sieves without numbers as left out. */
 static void
 note_sieves_without_numbers(struct reading *r, const struct table *t)
@@ -450,7 +437,7 @@ note_sieves_without_numbers(struct reading *r, const struct table *t)
 			values = r->all.column[c].table == t &&
 				 !isnan(r->all.column[c].pct[i]);
 		if (!values)
-			leave_out(r->site, t->row[i].line,
+			site_heading_leave_out(r->site, t->row[i].line,
 			    "the sieve %s has no numbers",
 			    t->row[i].cell[0].text);
 	}
@@ -499,26 +486,10 @@ note_left_out_sums(struct reading *r, const struct page *page)
 			const char *text = row->cell[0].text;
 			if ((lexicon_text_meanings(text, NULL) & WORD_TOTAL) !=
 			    0)
-				leave_out(r->site, row->line,
+				site_heading_leave_out(r->site, row->line,
 				    "%s: sums are checked for grams only",
 				    text);
 		}
-}
-
-/* Returns the samples of a table: "feed" or "product@64, product@72". */
-static char *
-samples_of_table_text(const struct columns *all, const struct table *t)
-{
-	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		if (c->table != t || c->twin > 0)
-			continue;
-		FREED char *words = classify_describe_column(c);
-		words[strcspn(words, " ")] = '\0';
-		xappend_to_list(&list, ", ", "%s", words);
-	}
-	return list;
 }
 
 /* Returns the filled cells of a line as one text: "Date 2026-11-12". */
@@ -595,13 +566,13 @@ note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 		   below &&
 	       last_table_above_row(layout, layout->heading[i + n]) == above &&
 	       !is_line_already_read(r, layout, i + n));
-	FREED char *samples =
-	    samples_of_table_text(&r->all, below != NULL ? below : above);
+	FREED char *samples = site_ask_samples_of_table(
+	    below != NULL ? below : above, &r->all, SIZE_MAX);
 	if (samples[0] == '\0' || layout->n == 1)
-		leave_out(
+		site_heading_leave_out(
 		    r->site, first->line, "remark below the table: %s", words);
 	else
-		leave_out(r->site, first->line,
+		site_heading_leave_out(r->site, first->line,
 		    below != NULL ? N_("above the table of %s: %s")
 				  : N_("below the table of %s: %s"),
 		    samples, words);
@@ -626,8 +597,9 @@ note_all_unread_lines(struct reading *r)
 			if (c->line <= head || dashes)
 				continue;
 			int shown = sheet_truncated_text_length(c->text);
-			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
-			    c->text, c->text[shown] != '\0' ? "..." : "");
+			site_heading_leave_out(r->site, c->line,
+			    "a comment: %.*s%s", shown, c->text,
+			    c->text[shown] != '\0' ? "..." : "");
 		}
 		note_left_out_sums(r, page);
 		for (size_t i = 0, n; i < page->layout->n_heading; i += n)
@@ -636,7 +608,7 @@ note_all_unread_lines(struct reading *r)
 				: note_left_out_lines(r, page->layout, i);
 		const struct cell *beside = &page->layout->beside;
 		if (beside->text != NULL)
-			leave_out(r->site, beside->line,
+			site_heading_leave_out(r->site, beside->line,
 			    "beside the table: %.*s",
 			    sheet_truncated_text_length(beside->text),
 			    beside->text);
@@ -773,10 +745,10 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	const struct site_request *q = r->request;
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
 	struct surroundings near = {.rotor = rotor_of_reading(r),
+	    .speed = told.mps,
+	    .rpm = told.rpm,
 	    .told = r->columns.others,
 	    .samples = &r->samples};
-	near.speed = told.differ ? 0 : told.mps;
-	near.rpm = told.differ ? 0 : told.rpm;
 	near.context = title_read_role_and_speed(
 	    page->layout, t, q->path[page->file], &near);
 	/* "VSI 2" above a later table may mean that it is another site's. */
@@ -1050,17 +1022,11 @@ drop_repeated_tables(struct reading *r)
 		struct table *t = r->table[k];
 		if (r->columns.n > 0 || !is_table_repeated(r, k))
 			continue;
-		leave_out(r->site, t->row[0].line, "%s: samples again",
-		    samples_sheet_label(t->sheet));
-		size_t n = 0;
-		for (size_t i = 0; i < r->all.n; i++) {
-			struct column *c = &r->all.column[i];
-			if (c->table == t)
-				free(c->assumed);
-			else
-				r->all.column[n++] = *c;
-		}
-		r->all.n = n;
+		site_heading_leave_out(r->site, t->row[0].line,
+		    "%s: samples again", samples_sheet_label(t->sheet));
+		for (size_t i = r->all.n; i-- > 0;)
+			if (r->all.column[i].table == t)
+				site_column_drop(&r->all, i);
 		r->n_table--;
 		memmove(&r->table[k], &r->table[k + 1],
 		    (r->n_table - k) * sizeof(*r->table));
@@ -1070,13 +1036,13 @@ drop_repeated_tables(struct reading *r)
 		r->open.sieves = r->open.sieves || r->table[k]->unit_open;
 }
 
-static size_t
-file_index_of_column(const struct reading *r, const struct column *c)
+static const struct page *
+page_of_column(const struct reading *r, const struct column *c)
 {
-	size_t i = 0;
-	while (r->page[i].sheet != c->table->sheet)
-		i++;
-	return r->page[i].file;
+	const struct page *page = r->page;
+	while (page->sheet != c->table->sheet)
+		page++;
+	return page;
 }
 
 /* Gives each feed the speed of its file, if several files have a feed. */
@@ -1090,14 +1056,14 @@ set_feed_speeds_from_files(struct reading *r)
 		if (c->role != FEED || c->speed > 0)
 			continue;
 		first = first != NULL ? first : c;
-		several = several || file_index_of_column(r, c) !=
-					 file_index_of_column(r, first);
-		all = all && given_speed(r, file_index_of_column(r, c)) > 0;
+		size_t file = page_of_column(r, c)->file;
+		several = several || file != page_of_column(r, first)->file;
+		all = all && given_speed(r, file) > 0;
 	}
 	for (size_t i = 0; i < r->all.n && several && all; i++) {
 		struct column *c = &r->all.column[i];
 		if (c->role == FEED && !(c->speed > 0))
-			c->speed = given_speed(r, file_index_of_column(r, c));
+			c->speed = given_speed(r, page_of_column(r, c)->file);
 	}
 }
 
@@ -1108,19 +1074,16 @@ static void
 drop_products_without_speed(struct reading *r)
 {
 	struct columns *all = &r->all;
-	size_t feeds = site_column_count_by_role(all, NULL, FEED), n = 0;
-	for (size_t i = 0; i < all->n; i++) {
+	size_t feeds = site_column_count_by_role(all, NULL, FEED);
+	for (size_t i = all->n; i-- > 0;) {
 		struct column *c = &all->column[i];
-		bool open = c->role == PRODUCT && !(c->speed > 0);
-		if (open && feeds > 0) {
-			free(c->assumed);
+		if (c->role != PRODUCT || c->speed > 0)
 			continue;
-		}
-		if (open && all->n == 1)
+		if (feeds > 0)
+			site_column_drop(all, i);
+		else if (all->n == 1)
 			c->role = NO_ROLE;
-		all->column[n++] = *c;
 	}
-	all->n = n;
 }
 
 /* Returns the speeds of the products: "1560, 1680 rpm" if all are in rpm, else
@@ -1128,19 +1091,17 @@ drop_products_without_speed(struct reading *r)
 static char *
 product_speeds_text(const struct columns *all)
 {
-	bool rpm = true;
-	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n; i++)
-		if (all->column[i].role == PRODUCT)
-			rpm = rpm && all->column[i].rpm > 0;
+	bool turns = true;
+	FREED char *rpm = xstrdup(""), *mps = xstrdup("");
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
-		if (c->role == PRODUCT)
-			xappend_to_list(
-			    &list, ", ", "%g", rpm ? c->rpm : c->speed);
+		if (c->role != PRODUCT)
+			continue;
+		turns = turns && c->rpm > 0;
+		xappend_to_list(&rpm, ", ", "%g", c->rpm);
+		xappend_to_list(&mps, ", ", "%g", c->speed);
 	}
-	xappend(&list, " %s", rpm ? "rpm" : "m/s");
-	return list;
+	return turns ? xasprintf("%s rpm", rpm) : xasprintf("%s m/s", mps);
 }
 
 /* Gives each feed the speed of the product in its table. */
@@ -1174,29 +1135,21 @@ accept_tables_as_one_site(struct reading *r)
 		r->open.other = last;
 		return;
 	}
-	bool parts = q->parts;
 	bool tests = !r->other_site &&
 		     titles_are_separate_tests(r->table, r->n_table, &r->all);
 	if (!tests &&
-	    (r->open.other == NULL ||
-		!titles_are_speed_series(r->table, r->n_table, &r->all, parts)))
+	    (r->open.other == NULL || !titles_are_speed_series(r->table,
+					  r->n_table, &r->all, q->parts)))
 		return;
 	if (tests)
 		set_feed_speeds_from_products(&r->all);
 	r->open.other = NULL;
 	FREED char *speeds = product_speeds_text(&r->all);
-	if (site_column_count_by_role(&r->all, NULL, FEED) > 0)
-		xappend_to_list(&r->site->remark, "; ",
-		    tr("read as one site: feed and products at %s"), speeds);
-	else
-		xappend_to_list(&r->site->remark, "; ",
-		    tr("read as one site: products at %s"), speeds);
-}
-
-static size_t
-count_faults(const struct reading *r)
-{
-	return r->errors->n + r->errors->more;
+	xappend_to_list(&r->site->remark, "; ",
+	    site_column_count_by_role(&r->all, NULL, FEED) > 0
+		? tr("read as one site: feed and products at %s")
+		: tr("read as one site: products at %s"),
+	    speeds);
 }
 
 /* Returns the day of a sample: the one in its headings, or else the one stated
@@ -1204,22 +1157,11 @@ count_faults(const struct reading *r)
 static char *
 day_of_sample_or_title(const struct reading *r, const struct column *c)
 {
-	size_t p = 0;
 	bool differ = false;
 	char *day = site_day_of_sample(c->table, c->at);
-	if (day != NULL)
-		return day;
-	while (r->page[p].sheet != c->table->sheet)
-		p++;
-	return title_find_day(r->page[p].layout, c->table, NULL, &differ);
-}
-
-/* True if a column is a product, and not one that is read in another
- * quantity. */
-static bool
-is_product_not_duplicate(const struct column *c)
-{
-	return c->role == PRODUCT && c->twin == 0;
+	return day != NULL ? day
+			   : title_find_day(page_of_column(r, c)->layout,
+				 c->table, NULL, &differ);
 }
 
 /* Notes the days of the cuts.  The notes of cuts at one speed are matched by
@@ -1230,7 +1172,7 @@ note_days_of_cuts(struct reading *r)
 	const struct columns *all = &r->all;
 	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
 	for (size_t i = 0; i < all->n; i++)
-		if (is_product_not_duplicate(&all->column[i]))
+		if (all->column[i].role == PRODUCT)
 			day[i] = day_of_sample_or_title(r, &all->column[i]);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
@@ -1238,7 +1180,7 @@ note_days_of_cuts(struct reading *r)
 		for (size_t k = 0; k < all->n; k++)
 			any = any || (day[k] != NULL &&
 					 all->column[k].speed == c->speed);
-		if (!is_product_not_duplicate(c) || !any)
+		if (c->role != PRODUCT || !any)
 			continue;
 		FREED char *note = xasprintf("%g m/s%s%s", c->speed,
 		    day[i] != NULL ? ", " : "", day[i] != NULL ? day[i] : "");
@@ -1257,27 +1199,12 @@ note_days_not_read(struct reading *r)
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
 		const char *day = site_find_unreadable_day(c->table, c->at);
-		if (is_product_not_duplicate(c) && day != NULL)
-			leave_out(r->site, c->head.line,
+		if (c->role == PRODUCT && day != NULL)
+			site_heading_leave_out(r->site, c->head.line,
 			    "the day '%.*s' of the cut at %g m/s: write year, "
 			    "month, day",
 			    sheet_truncated_text_length(day), day, c->speed);
 	}
-}
-
-/* Returns the days of all samples, "2026-05-03 to 2026-05-05", or NULL. */
-static char *
-day_range_of_all_samples(const struct reading *r)
-{
-	const struct columns *all = &r->all;
-	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
-	for (size_t i = 0; i < all->n; i++)
-		day[i] =
-		    site_day_of_sample(all->column[i].table, all->column[i].at);
-	char *days = site_day_range_text(day, all->n);
-	for (size_t i = 0; i < all->n; i++)
-		free(day[i]);
-	return days;
 }
 
 /* Sets the provenance, if the sheet states none, to the days of the samples or,
@@ -1286,13 +1213,21 @@ day_range_of_all_samples(const struct reading *r)
 static void
 set_provenance_from_days(struct reading *r)
 {
-	FREED char *days = day_range_of_all_samples(r);
+	const struct columns *all = &r->all;
+	FREED char **own = xcalloc(all->n + 1, sizeof(*own));
 	FREED char *day = NULL;
 	bool differ = false;
+	if (r->site->provenance[0] != '\0')
+		return;
+	for (size_t i = 0; i < all->n; i++)
+		own[i] =
+		    site_day_of_sample(all->column[i].table, all->column[i].at);
+	FREED char *days = site_day_range_text(own, all->n);
+	for (size_t i = 0; i < all->n; i++)
+		free(own[i]);
 	for (size_t p = 0; p < r->n_page; p++)
 		day = title_find_day(r->page[p].layout, NULL, day, &differ);
-	bool stated = days != NULL || (day != NULL && !differ);
-	if (!stated || r->site->provenance[0] != '\0')
+	if (days == NULL && (day == NULL || differ))
 		return;
 	free(r->site->provenance);
 	r->site->provenance =
@@ -1375,6 +1310,7 @@ site_read_with_options(const struct site_request *request,
 {
 	struct site_ask none = {0};
 	struct site *site = NULL;
+	ask = ask != NULL ? ask : &none;
 	struct reading r = {
 	    .request = request, .errors = errors, .site = site_new(0)};
 	r.source = xcalloc(request->n, sizeof *r.source);
@@ -1384,29 +1320,27 @@ site_read_with_options(const struct site_request *request,
 		set_feed_speeds_from_files(&r);
 		if (request->feed)
 			drop_products_without_speed(&r);
-		size_t before = count_faults(&r);
+		size_t before = errors->n;
 		if (r.n_table > 0) {
 			samples_report_missing(&r.samples, r.table[0]);
 			samples_report_missing(&r.columns, r.table[0]);
 		}
-		bool missing = count_faults(&r) > before;
+		bool missing = errors->n > before;
 		classify_columns_together(&r.all, r.site,
 		    r.columns.others || r.samples.n > 0, &r.open.rotor);
 		accept_tables_as_one_site(&r);
-		bool open = count_faults(&r) == 0 &&
+		bool open = errors->n == 0 &&
 			    site_ask_pending_question(&r.open, request, r.table,
-				r.n_table, &r.all, ask != NULL ? ask : &none);
+				r.n_table, &r.all, ask);
 		if (!open && !missing) {
 			read_and_check_sheet_columns(&r);
-			set_or_ask_top_size(&r, ask != NULL ? ask : &none);
+			set_or_ask_top_size(&r, ask);
 		}
-		if (ask != NULL) {
-			ask->no_feed =
-			    site_column_count_by_role(&r.all, NULL, FEED) == 0;
-			ask->no_product = site_column_count_by_role(
-					      &r.all, NULL, PRODUCT) == 0;
-		}
-		if (count_faults(&r) == 0)
+		ask->no_feed =
+		    site_column_count_by_role(&r.all, NULL, FEED) == 0;
+		ask->no_product =
+		    site_column_count_by_role(&r.all, NULL, PRODUCT) == 0;
+		if (errors->n == 0)
 			site = finish_site_reading(&r);
 	}
 	clear_site_reading(&r);

@@ -246,27 +246,8 @@ samples_label_of_column(const struct table *t, size_t c)
 	return layout_column_heading_text(t, c);
 }
 
-static void
-refuse_sample_against_heading(const struct column *c, const char *text)
-{
-	sheet_report_fault(c->table->sheet, c->head,
-	    "expected what this heading states, got '%s' in samples=\nleave "
-	    "out what contradicts it, or correct the sheet",
-	    text);
-}
-
-/* Adds those of the meanings `own` that belong to a group; reports a
- * contradiction to what the headings state. */
-static void
-add_meanings_unless_contradicted(
-    struct column *c, const char *text, uint64_t group, uint64_t own)
-{
-	uint64_t stated = c->said.means & group;
-	if (stated != 0 && (own & group & ~stated) != 0)
-		refuse_sample_against_heading(c, text);
-	c->said.means |= own & group;
-}
-
+/* Adds what the text says to what the headings of a column state; reports a
+ * contradiction. */
 static void
 apply_sample_option_text(struct column *c, const char *text)
 {
@@ -277,11 +258,19 @@ apply_sample_option_text(struct column *c, const char *text)
 	bool speed = heading_has_speed(&own);
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
-	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
-		add_meanings_unless_contradicted(c, text, GROUPS[i], own.means);
-	if (own.speed > 0 && said->speed > 0 &&
-	    fabs(own.speed - said->speed) > 1e-3)
-		refuse_sample_against_heading(c, text);
+	bool against = own.speed > 0 && said->speed > 0 &&
+		       fabs(own.speed - said->speed) > 1e-3;
+	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++) {
+		uint64_t stated = said->means & GROUPS[i];
+		against |=
+		    stated != 0 && (own.means & GROUPS[i] & ~stated) != 0;
+		said->means |= own.means & GROUPS[i];
+	}
+	if (against)
+		sheet_report_fault(c->table->sheet, c->head,
+		    "expected what this heading states, got '%s' in samples=\n"
+		    "leave out what contradicts it, or correct the sheet",
+		    text);
 	if (speed) {
 		said->speed = own.speed;
 		said->rpm = own.rpm;

@@ -214,7 +214,9 @@ recognise_astm_numbers(struct table *t, const struct numbers *all, bool said)
 	t->unit = (struct sieve_unit){0, SIEVE_ASTM};
 	if (said && !all->rises && all->in_mm >= 1)
 		return SIEVES_OPEN;
-	return said || all->n_part > 0 ? SIEVES_SAID : SIEVES_OPEN;
+	return said              ? SIEVES_SAID
+	       : all->n_part > 0 ? SIEVES_ASSUMED
+				 : SIEVES_OPEN;
 }
 
 /* Returns the likeliest unit of numbers for which several are possible. */
@@ -259,8 +261,7 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 	t->unit = (struct sieve_unit){1, SIEVE_NONE};
 	enum sieve_certainty numbers = recognise_astm_numbers(t, &all, said);
 	if (t->unit.series == SIEVE_ASTM)
-		return numbers == SIEVES_SAID && !said ? SIEVES_ASSUMED
-						       : numbers;
+		return numbers;
 	if (all.in_mm >= 0.8 && most > LEAST_TOP && most <= COARSE_TOP)
 		return SIEVES_ASSUMED;
 	t->unit = guess_sieve_unit(&all);
@@ -269,9 +270,10 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 		   : SIEVES_OPEN;
 }
 
-/* True if the sizes rise, or fall, without exception, ignoring NAN. */
-static bool
-are_sizes_in_order(const double *v, size_t n)
+/* Returns 1 if the sizes rise without exception, ignoring NAN, -1 if they fall
+ * or there is at most one, else 0. */
+static int
+order_of_sizes(const double *v, size_t n)
 {
 	int rises = 0, falls = 0, pairs = 0;
 	double last = NAN;
@@ -283,7 +285,7 @@ are_sizes_in_order(const double *v, size_t n)
 		falls += v[i] < last;
 		last = v[i];
 	}
-	return rises == pairs || falls == pairs;
+	return falls == pairs ? -1 : rises == pairs;
 }
 
 /* Reads 2, 1, 500, 250 as mm and um, because sieves below 1 mm are named by
@@ -302,7 +304,7 @@ read_sizes_in_mm_and_um(struct table *t)
 			   ? number
 			   : NAN;
 	bool split = false;
-	for (size_t i = 1; i < n && !are_sizes_in_order(v, n) && to == 0; i++) {
+	for (size_t i = 1; i < n && order_of_sizes(v, n) == 0 && to == 0; i++) {
 		from = v[i] > 10 * v[i - 1] ? i : 0;
 		to = v[i] > 10 * v[i - 1] ? n : 10 * v[i] < v[i - 1] ? i : 0;
 	}
@@ -312,7 +314,7 @@ read_sizes_in_mm_and_um(struct table *t)
 		if (!split && !isnan(v[i]))
 			break;
 	}
-	split = split && are_sizes_in_order(v, n);
+	split = split && order_of_sizes(v, n) != 0;
 	for (size_t i = from; split && i < to; i++) {
 		struct cell *cell = &t->row[i].cell[0];
 		if (isnan(v[i]))
@@ -323,24 +325,15 @@ read_sizes_in_mm_and_um(struct table *t)
 	return split;
 }
 
-/* True if the sizes rise without exception. */
 static bool
 are_sieves_finest_first(const struct table *t)
 {
-	int rising = 0;
-	double last = NAN;
-	for (size_t i = 0; i < t->n_row; i++) {
-		double mm;
+	FREED double *mm = xcalloc_doubles(t->n_row);
+	for (size_t i = 0; i < t->n_row; i++)
 		if (sieve_read_size(t->sheet, t->row[i].cell[0], t->unit,
-			&mm) != SIEVE_IS_SIZE ||
-		    isnan(mm))
-			continue;
-		if (!isnan(last) && mm <= last)
-			return false;
-		rising += !isnan(last);
-		last = mm;
-	}
-	return rising > 0;
+			&mm[i]) != SIEVE_IS_SIZE)
+			mm[i] = NAN;
+	return order_of_sizes(mm, t->n_row) > 0;
 }
 
 struct cell

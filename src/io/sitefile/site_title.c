@@ -13,14 +13,6 @@
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/site_heading.h"
 
-/* Returns the line of a table's first heading or, without one, of its first
- * row. */
-static int
-first_line_number_of_table(const struct table *t)
-{
-	return t->n_head > 0 ? t->head[0].line : t->row[0].line;
-}
-
 /* True if a heading states which sample a table has: a role or a speed. */
 static bool
 is_title_of_sample(const struct head *head)
@@ -57,7 +49,7 @@ can_be_title_cell(const struct row *row, size_t c)
 static bool
 is_line_above_table(const struct table *t, const struct row *row)
 {
-	return !t->across && row->line < first_line_number_of_table(t) &&
+	return !t->across && row->line < layout_first_line_of_table(t) &&
 	       row->line > t->after;
 }
 
@@ -68,8 +60,8 @@ is_line_above_table(const struct table *t, const struct row *row)
 static bool
 can_be_table_title(const struct table *t, const struct row *row, size_t c)
 {
-	bool near = row->line < first_line_number_of_table(t) &&
-		    row->line >= first_line_number_of_table(t) - 3 &&
+	int first = layout_first_line_of_table(t);
+	bool near = row->line < first && row->line >= first - 3 &&
 		    (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 	return lexicon_site_key_of_text(row->cell[0].text) == N_KEY &&
 	       (near ||
@@ -253,11 +245,10 @@ title_move_lines_to_headings(struct layout *layout)
 			struct table *t = &layout->table[b];
 			struct cell *cell =
 			    find_heading_by_sample_name(t, name, &head);
-			if (cell == NULL)
-				continue;
-			cell->text = layout_adopt_text(
-			    t, xasprintf("%s %s", cell->text, said));
-			taken = true;
+			taken = taken || cell != NULL;
+			if (cell != NULL)
+				cell->text = layout_adopt_text(
+				    t, xasprintf("%s %s", cell->text, said));
 		}
 		if (!taken)
 			layout->heading[n++] = row;
@@ -265,38 +256,14 @@ title_move_lines_to_headings(struct layout *layout)
 	layout->n_heading = n;
 }
 
-/* What the lines above a table say about all of its samples.  differ: they
- * state several speeds, so each is that of one sample. */
-struct title_says {
-	uint64_t role;
-	double speed, rpm;
-	bool differ;
-};
-
-/* Takes what a line of the title says.  The highest or lowest speed of a
- * machine is not that of a sample. */
-static void
-record_title_role_and_speed(const struct head *title, struct title_says *says)
+/* Takes the lines that are a table's title, and returns the role that they
+ * state, or 0.  If they state several speeds, each is that of one sample.  The
+ * highest or lowest speed of a machine is not that of a sample. */
+static uint64_t
+read_table_title_lines(
+    const struct layout *layout, struct table *t, struct heading_speed *speed)
 {
-	uint64_t role = title->means & (WORD_FEED | WORD_PRODUCT);
-	says->role = role != 0 ? role : says->role;
-	if (title->several || !heading_has_speed(title) ||
-	    (title->means & WORD_LIMIT) != 0)
-		return;
-	says->differ = says->differ ||
-		       (says->speed > 0 && title->speed > 0 &&
-			   fabs(says->speed - title->speed) > 1e-3) ||
-		       (says->rpm > 0 && title->rpm > 0 &&
-			   fabs(says->rpm - title->rpm) > 1e-3);
-	says->speed = title->speed;
-	says->rpm = title->rpm;
-}
-
-/* Takes the lines that are a table's title, and returns what they say. */
-static struct title_says
-read_table_title_lines(const struct layout *layout, struct table *t)
-{
-	struct title_says says = {0};
+	uint64_t stated = 0;
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		bool read = false;
@@ -310,11 +277,21 @@ read_table_title_lines(const struct layout *layout, struct table *t)
 			if (read ? !heading_has_speed(&title)
 				 : !is_title_of_sample(&title))
 				continue;
-			record_title_role_and_speed(&title, &says);
+			uint64_t role =
+			    title.means & (WORD_FEED | WORD_PRODUCT);
+			stated = role != 0 ? role : stated;
+			if (heading_has_speed(&title) && !title.several &&
+			    (title.means & WORD_LIMIT) == 0) {
+				site_heading_record_speed(
+				    speed, title.speed, title.rpm);
+				/* rpm below m/s may be of another sample */
+				speed->mps = speed->differ ? 0 : title.speed;
+				speed->rpm = speed->differ ? 0 : title.rpm;
+			}
 			layout->read[i] = read = true;
 		}
 	}
-	return says;
+	return stated;
 }
 
 uint64_t
@@ -323,20 +300,20 @@ title_read_role_and_speed(const struct layout *layout, struct table *t,
 {
 	uint64_t means = lexicon_text_meanings(t->sheet->name, NULL);
 	struct head name = heading_parse_file_name(t->sheet->name);
-	struct heading_speed own = {0};
+	struct heading_speed own = {0}, says = {0};
 	if (read_speed_above_table(layout, t, &own)) {
-		near->speed = own.differ ? 0 : own.mps;
-		near->rpm = own.differ ? 0 : own.rpm;
+		near->speed = own.mps;
+		near->rpm = own.rpm;
 	}
 	if (!(near->speed > 0)) {
 		near->speed = name.speed;
 		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
 	}
-	struct title_says says = read_table_title_lines(layout, t);
-	means = says.role != 0 ? says.role : means;
-	if (says.speed > 0 || says.rpm > 0) {
-		near->speed = says.differ ? 0 : says.speed;
-		near->rpm = says.differ ? 0 : says.rpm;
+	uint64_t role = read_table_title_lines(layout, t, &says);
+	means = role != 0 ? role : means;
+	if (says.mps > 0 || says.rpm > 0 || says.differ) {
+		near->speed = says.mps;
+		near->rpm = says.rpm;
 	}
 	if (says.differ)
 		means &= ~(uint64_t)(WORD_FEED | WORD_PRODUCT);
@@ -466,11 +443,11 @@ titles_are_speed_series(
 	if (title_mentions_limits_or_mean(feed))
 		return false;
 	FREED char *line = title_feed_or_last_line(feed);
-	bool one = true;
 	for (size_t k = 0; k < n; k++)
-		one = one && (table[k] == feed ||
-				 !heading_names_differ(line, table[k]->title));
-	return one;
+		if (table[k] != feed &&
+		    heading_names_differ(line, table[k]->title))
+			return false;
+	return true;
 }
 
 /* Returns the folded text without what may differ from test to test: speeds,

@@ -30,13 +30,11 @@ struct curve {
 static bool
 must_write_as_fractions(const struct site *site, double speed)
 {
-	bool small = false;
-	for (size_t r = 0; r < site->n_run; r++) {
-		const struct run *run = &site->run[r];
-		small = small || (run->speed == speed && run->product.n > 0 &&
-				     run->product.passing[0] <= 0.01);
-	}
-	return small;
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].speed == speed && site->run[r].product.n > 0 &&
+		    site->run[r].product.passing[0] <= 0.01)
+			return true;
+	return false;
 }
 
 /* True if a product at a speed has standard deviations.  Its repeats then get a
