@@ -212,6 +212,69 @@ join_unit_to_number(struct words *words)
 	words_replace_by_one(words, words->n - 2, 2, joined);
 }
 
+/* Returns the last condition in a word that may be "limits=P80 < 5,P20": what
+ * follows the last comma and, for an option that takes a text, its =.  Returns
+ * NULL if the word cannot have a condition. */
+static const char *
+last_condition_of_word(const struct words *words)
+{
+	const char *word = words->text[words->n - 1];
+	const struct command *command = command_find_by_options(
+	    words->command, words->text + 1, words->n - 1);
+	const char *equals = strchr(word, '='), *comma = strrchr(word, ',');
+	FREED char *name = xstrndup(word, strcspn(word, "="));
+	size_t i = command_option_index(command, name);
+	bool text = equals != NULL && i < OPTIONS &&
+		    command_option_at(command, i)->kind == VALUE_TEXT;
+	if (!text && (command->flags & COMMAND_CONDITIONS) == 0)
+		return NULL;
+	return comma != NULL ? comma + 1 : text ? equals + 1 : word;
+}
+
+/* True if the > at `at` belongs to a limit, as in "P80 > 5", rather than to a
+ * redirection: not after a condition that has its limit already.  If the
+ * command is unknown, >= counts as a limit, so that the error is about the
+ * command. */
+static bool
+is_limit_not_redirection(const char *line, size_t at, const struct words *words)
+{
+	if (words->command == NULL)
+		return words->n > 1 && words->n < OPERANDS &&
+		       strncmp(line + at, ">=", 2) == 0;
+	if (words->n < 2 || words->n == OPERANDS || line[at] != '>')
+		return false;
+	const char *before = words->text[words->n - 2];
+	const char *last = last_condition_of_word(words);
+	size_t length = strlen(before);
+	if (last == NULL || strpbrk(last, " <>=") != NULL ||
+	    (length > 0 && strchr("<>=", before[length - 1]) != NULL))
+		return false;
+	at += line[at + 1] == '=' ? 2 : 1;
+	at = skip_blanks(line, at);
+	size_t n = strcspn(line + at, " \t;,%<>|");
+	FREED char *number = xstrndup(line + at, n);
+	double limit;
+	return value_parse_number(number, "mm", &limit);
+}
+
+/* Adds to the last word limits that follow it without a blank: "P80>5" is one
+ * word as "P80<5" is.  Returns false if a quote is not closed. */
+static bool
+parse_limits_of_word(const char *line, size_t *at, struct words *words)
+{
+	bool ok = true;
+	while (ok && is_limit_not_redirection(line, *at, words)) {
+		size_t sign = line[*at + 1] == '=' ? 2 : 1, from = *at;
+		*at += sign;
+		char **word = &words->text[words->n - 1];
+		FREED char *before = *word, *rest = NULL;
+		ok = parse_word_of_line(line, at, false, &rest);
+		*word =
+		    xasprintf("%s%.*s%s", before, (int)sign, line + from, rest);
+	}
+	return ok;
+}
+
 static bool
 parse_and_add_word(const char *line, size_t *at, struct place place,
     bool verbatim, struct words *words, struct error *error)
@@ -222,7 +285,8 @@ parse_and_add_word(const char *line, size_t *at, struct place place,
 		    column, "more than %d words", (int)OPERANDS);
 	size_t i = words->n++;
 	words->column[i] = column;
-	if (!parse_word_of_line(line, at, verbatim, &words->text[i]))
+	if (!parse_word_of_line(line, at, verbatim, &words->text[i]) ||
+	    !parse_limits_of_word(line, at, words))
 		return error_unclosed_quote(place, column, error);
 	if (i == 0)
 		words->command =
@@ -232,34 +296,6 @@ parse_and_add_word(const char *line, size_t *at, struct place place,
 	if (words->n > 2 && words->command != NULL && !verbatim)
 		join_unit_to_number(words);
 	return true;
-}
-
-/* True if the > at `at` belongs to a limit, as in "P80 > 5", rather than to a
- * redirection: not after a condition that has its limit already.  If the
- * command is unknown, >= counts as a limit, so that the error is about the
- * command. */
-static bool
-is_limit_not_redirection(const char *line, size_t at, const struct words *words)
-{
-	const struct command *command = words->command;
-	if (command == NULL)
-		return words->n > 1 && words->n < OPERANDS &&
-		       strncmp(line + at, ">=", 2) == 0;
-	if ((command->flags & COMMAND_CONDITIONS) == 0 || words->n < 2 ||
-	    words->n == OPERANDS || line[at] != '>')
-		return false;
-	const char *last = words->text[words->n - 1];
-	const char *before = words->text[words->n - 2];
-	size_t length = strlen(before);
-	if (strpbrk(last, " <>=") != NULL ||
-	    (length > 0 && strchr("<>=", before[length - 1]) != NULL))
-		return false;
-	at += line[at + 1] == '=' ? 2 : 1;
-	at = skip_blanks(line, at);
-	size_t n = strcspn(line + at, " \t;,%");
-	FREED char *number = xstrndup(line + at, n);
-	double limit;
-	return value_parse_number(number, "mm", &limit);
 }
 
 /* Adds the > or >= of a limit as a word. */
