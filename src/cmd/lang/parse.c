@@ -212,6 +212,13 @@ join_unit_to_number(struct words *words)
 	words_replace_by_one(words, words->n - 2, 2, joined);
 }
 
+static bool
+ends_in_sign(const char *word)
+{
+	size_t n = strlen(word);
+	return n > 0 && strchr("<>=", word[n - 1]) != NULL;
+}
+
 /* Returns the last condition in a word that may be "limits=P80 < 5,P20": what
  * follows the last comma and, for an option that takes a text, its =.  Returns
  * NULL if the word cannot have a condition. */
@@ -243,11 +250,9 @@ is_limit_not_redirection(const char *line, size_t at, const struct words *words)
 		       strncmp(line + at, ">=", 2) == 0;
 	if (words->n < 2 || words->n == OPERANDS || line[at] != '>')
 		return false;
-	const char *before = words->text[words->n - 2];
 	const char *last = last_condition_of_word(words);
-	size_t length = strlen(before);
 	if (last == NULL || strpbrk(last, " <>=") != NULL ||
-	    (length > 0 && strchr("<>=", before[length - 1]) != NULL))
+	    ends_in_sign(words->text[words->n - 2]))
 		return false;
 	at += line[at + 1] == '=' ? 2 : 1;
 	at = skip_blanks(line, at);
@@ -257,20 +262,46 @@ is_limit_not_redirection(const char *line, size_t at, const struct words *words)
 	return value_parse_number(number, "mm", &limit);
 }
 
-/* Adds to the last word limits that follow it without a blank: "P80>5" is one
- * word as "P80<5" is.  Returns false if a quote is not closed. */
+/* Ends the last word, which begins at `from`, after the first condition in it:
+ * "P80<5,P20>1" is two words, as "P80<5, P20>1" is. */
+static void
+end_word_after_condition(
+    const char *line, size_t from, size_t *at, struct words *words)
+{
+	char *word = words->text[words->n - 1];
+	size_t sign = strcspn(word, "<>=");
+	FREED char *name = xstrndup(word, sign);
+	bool quoted = strncmp(word, line + from, *at - from) != 0;
+	if (words->n < 2 || quoted || words->command == NULL ||
+	    (words->command->flags & COMMAND_CONDITIONS) == 0 ||
+	    command_option_index(words->command, name) < OPTIONS)
+		return;
+	size_t begin = ends_in_sign(words->text[words->n - 2]) ? 0 : sign;
+	size_t n = begin + text_length_of_list_item(word + begin);
+	if (word[n] == '\0')
+		return;
+	word[n + 1] = '\0';
+	*at = from + n + 1;
+}
+
+/* Adds to the last word, which begins at `from`, a limit that follows without a
+ * blank: "P80>5" is one word as "P80<5" is.  Returns false if a quote is not
+ * closed. */
 static bool
-parse_limits_of_word(const char *line, size_t *at, struct words *words)
+parse_limits_of_word(
+    const char *line, size_t from, size_t *at, struct words *words)
 {
 	bool ok = true;
+	end_word_after_condition(line, from, at, words);
 	while (ok && is_limit_not_redirection(line, *at, words)) {
-		size_t sign = line[*at + 1] == '=' ? 2 : 1, from = *at;
-		*at += sign;
+		size_t sign = line[*at + 1] == '=' ? 2 : 1;
 		char **word = &words->text[words->n - 1];
 		FREED char *before = *word, *rest = NULL;
+		*at += sign;
 		ok = parse_word_of_line(line, at, false, &rest);
 		*word =
-		    xasprintf("%s%.*s%s", before, (int)sign, line + from, rest);
+		    xasprintf("%s%s%s", before, sign == 1 ? ">" : ">=", rest);
+		end_word_after_condition(line, from, at, words);
 	}
 	return ok;
 }
@@ -283,10 +314,10 @@ parse_and_add_word(const char *line, size_t *at, struct place place,
 	if (words->n == OPERANDS)
 		return error_set_at(error, ERROR_USAGE, place.file, place.line,
 		    column, "more than %d words", (int)OPERANDS);
-	size_t i = words->n++;
+	size_t i = words->n++, from = *at;
 	words->column[i] = column;
 	if (!parse_word_of_line(line, at, verbatim, &words->text[i]) ||
-	    !parse_limits_of_word(line, at, words))
+	    !parse_limits_of_word(line, from, at, words))
 		return error_unclosed_quote(place, column, error);
 	if (i == 0)
 		words->command =
