@@ -97,8 +97,9 @@ fallbacks_are_valid(void **state)
 			if (o->fallback[0] == '\0')
 				continue;
 			const char *operands = call_operands(c);
-			char *typed = xasprintf("%s %s %s=\"%s\"", c->name,
-			    operands, o->name, o->fallback);
+			char *typed = xasprintf("%s %s %s=\"%s\" %s", c->name,
+			    operands, o->name, o->fallback,
+			    o->needs != NULL ? o->needs : "");
 			char *bare = xasprintf("%s %s", c->name, operands);
 			struct call *a = call_accept(typed),
 				    *b = call_accept(bare);

@@ -125,10 +125,6 @@ check_single_goal(const struct args *args, const struct find_request *goal,
 		    "find: expected one of p20, p50, p80, passing, spec and a "
 		    "condition with = or max, got %zu of them",
 		    goal->n);
-	else if ((args->at > 0) != args_is_given(args, &args->passing))
-		error_set(error, ERROR_USAGE,
-		    "find: expected passing and at together: this much passing "
-		    "at this size");
 	else
 		return true;
 	return error_set_hint(error,

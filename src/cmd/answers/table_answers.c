@@ -25,6 +25,9 @@
 		NUMBER(kwh), "", 0, 1e6, NULL, "0", "price per kWh"         \
 	}
 
+/* An image shows the range of speeds without it, too. */
+#define BEST "best=on prices=0/2:12,2/5:9 >"
+
 const struct command TABLE_ANSWERS[] = {
     {.name = "predict",
 	.others = {"sweep", "figures", "card"},
@@ -206,8 +209,10 @@ const struct command TABLE_ANSWERS[] = {
 	    {NUMBER(p20), "mm", 1e-6, 1e4, NULL, "", "wanted P20"},
 	    {NUMBER(p50), "mm", 1e-6, 1e4, NULL, "", "wanted P50"},
 	    {NUMBER(p80), "mm", 1e-6, 1e4, NULL, "", "wanted P80"},
-	    {NUMBER(passing), "%", 0, 100, NULL, "", "wanted passing"},
-	    {NUMBER(at), "mm", 1e-6, 1e4, NULL, "", "size for that passing"},
+	    {NUMBER(passing), "%", 0, 100, NULL, "", "wanted passing",
+		.needs = "at=2"},
+	    {NUMBER(at), "mm", 1e-6, 1e4, NULL, "", "size for that passing",
+		.needs = "passing=45"},
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"},
 	    {SPEED(from),
 		"slowest speed; default 65, or less to cover the runs"},
@@ -250,10 +255,14 @@ const struct command TABLE_ANSWERS[] = {
 				  "new feed; default: that of circuit="},
 	    {LAST_SPEED}, FLOW_PARTS,
 	    {OFF_ON(best), "off", "find the speed that earns most"},
-	    {SPEED(from), "slowest speed of best=on; default 65, or less "
-			  "to cover the runs"},
-	    {SPEED(to), "fastest speed of best=on; default 85, or more to "
-			"cover the runs"}),
+	    {SPEED(from),
+		"slowest speed of best=on; default 65, or less "
+		"to cover the runs",
+		.needs = BEST},
+	    {SPEED(to),
+		"fastest speed of best=on; default 85, or more to "
+		"cover the runs",
+		.needs = BEST}),
 	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_SCREENS},
 	.text =
 	    "Shows the tonnes per hour of each fraction into which screens "
@@ -366,7 +375,8 @@ const struct command TABLE_ANSWERS[] = {
 	    {NUMBER(speed_sd), "%", 0, 5, NULL, "0.5",
 		"standard deviation of stated tip speeds: slip, worn tips, "
 		"rounding; 0: exact"},
-	    {WHOLE(n), "", 1, 256, NULL, "200", "how many draws to write"}),
+	    {WHOLE(n), "", 1, 256, NULL, "200", "how many draws to write",
+		.needs = "draws"}),
 	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
 	    SHARED_CUT},
 	.text =

@@ -47,7 +47,8 @@ parse_plotted_sites(const struct session *s, const struct args *args,
 }
 
 #define KIND(kind) (1u << PLOT_##kind)
-#define MACHINE (KIND(PSD) | KIND(RUNS) | KIND(SWEEP) | KIND(RESPONSE))
+#define ADDED (1u << 31) /* the speeds that speeds= adds to runs */
+#define MACHINE (KIND(PSD) | ADDED | KIND(SWEEP) | KIND(RESPONSE))
 
 /* The kinds of plots that use an option, for those that not all do: its offset
  * in struct args, and a bit for each kind. */
@@ -73,8 +74,8 @@ static const struct {
     {offsetof(struct args, param), KIND(PROFILE)},
     {offsetof(struct args, at), KIND(PSD)},
     {offsetof(struct args, level), KIND(PSD)},
-    {offsetof(struct args, feed), KIND(PSD) | KIND(RUNS) | KIND(SELECTION) |
-				      KIND(SWEEP) | KIND(RESPONSE)},
+    {offsetof(struct args, feed),
+	KIND(PSD) | ADDED | KIND(SELECTION) | KIND(SWEEP) | KIND(RESPONSE)},
     {offsetof(struct args, rotor_mm),
 	MACHINE | KIND(SELECTION) | KIND(APPEARANCE)},
     {offsetof(struct args, cascade), MACHINE},
@@ -90,21 +91,18 @@ static void
 note_unused_options(
     const struct session *s, const struct args *args, enum plot_kind kind)
 {
+	unsigned kinds = 1u << kind;
+	if (kind == PLOT_RUNS && args->speeds.n > 0)
+		kinds |= ADDED;
 	for (size_t i = 0; i < ARRAY_LEN(OPTION_KINDS); i++) {
 		const void *member =
 		    (const char *)args + OPTION_KINDS[i].option;
-		if ((OPTION_KINDS[i].kinds & 1u << kind) == 0 &&
+		if ((OPTION_KINDS[i].kinds & kinds) == 0 &&
 		    args_is_given(args, member))
 			session_print_note(s,
 			    "plot %s does not use %s=", args->operand[0],
 			    args_option_name(args, member));
 	}
-	if (kind != PLOT_PSD)
-		return;
-	if (args_is_given(args, &args->level) && !(args->at > 0))
-		session_print_note(s, "level= needs at=");
-	if (args->other_feed > 0 && !(args->other > 0))
-		session_print_note(s, "other_feed= needs other=");
 }
 
 static bool

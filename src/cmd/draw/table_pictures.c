@@ -6,30 +6,31 @@
 #include "cmd/draw/plot_request.h"
 #include "cmd/session/screen_pages.h"
 
-#define WHAT_OPTIONS                                                         \
-	{SPEED(speed), "tip speed; default: that last asked about"},         \
-	    {SPEED(other), "another speed for comparison"},                  \
-	    {SPEED(other_feed), "psd: with other=, the feed of this speed"}, \
-	    {TEXT(beside), "SITE", "",                                       \
-		"psd: with the product of this site, or pinned"},            \
-	    {TEXT(site), "SITE", "",                                         \
-		"a loaded site, or pinned, instead of the one in use"},      \
-	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",              \
-		"sweep, response: which; runs: added ones"},                 \
-	    {OFF_ON(band), "off", "psd: shade the uncertainty band"},        \
-	    {TEXT(of), NULL, "",                                             \
-		"response: quantities, such as passing 2,P50,0/4"},          \
-	    {TEXT(limits), NULL, "",                                         \
-		"response: conditions, such as passing 2 = 40..50"},         \
-	    {WHOLE(generation), "", 0, 1000000, NULL, "0",                   \
-		"generation of the search; 0: its end"},                     \
-	    {TEXT(param), "PARAMETER", "",                                   \
-		"profile: the parameter; default e0_min"},                   \
-	    {NUMBER(at), "mm", 1e-6, 1e4, NULL, "",                          \
-		"psd: line at this size, with passings"},                    \
-	{                                                                    \
-		NUMBER(level), "%", 0, 100, NULL, "50",                      \
-		    "psd with at=: sizes at this passing"                    \
+#define WHAT_OPTIONS                                                        \
+	{SPEED(speed), "tip speed; default: that last asked about"},        \
+	    {SPEED(other), "another speed for comparison"},                 \
+	    {SPEED(other_feed), "psd: with other=, the feed of this speed", \
+		.needs = "other=79"},                                       \
+	    {TEXT(beside), "SITE", "",                                      \
+		"psd: with the product of this site, or pinned"},           \
+	    {TEXT(site), "SITE", "",                                        \
+		"a loaded site, or pinned, instead of the one in use"},     \
+	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",             \
+		"sweep, response: which; runs: added ones"},                \
+	    {OFF_ON(band), "off", "psd: shade the uncertainty band"},       \
+	    {TEXT(of), NULL, "",                                            \
+		"response: quantities, such as passing 2,P50,0/4"},         \
+	    {TEXT(limits), NULL, "",                                        \
+		"response: conditions, such as passing 2 = 40..50"},        \
+	    {WHOLE(generation), "", 0, 1000000, NULL, "0",                  \
+		"generation of the search; 0: its end"},                    \
+	    {TEXT(param), "PARAMETER", "",                                  \
+		"profile: the parameter; default e0_min"},                  \
+	    {NUMBER(at), "mm", 1e-6, 1e4, NULL, "",                         \
+		"psd: line at this size, with passings"},                   \
+	{                                                                   \
+		NUMBER(level), "%", 0, 100, NULL, "50",                     \
+		    "psd with at=: sizes at this passing", .needs = "at=2"  \
 	}
 
 const struct command TABLE_PICTURES[] = {

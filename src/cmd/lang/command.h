@@ -42,6 +42,10 @@ struct command_option {
 	 * setting, in struct settings: a double for a number, a char array for
 	 * a text, else an unsigned or an enum. */
 	size_t offset;
+	/* The word without which the option has no effect: an operand, or
+	 * another option with a value to propose, which words to propose too
+	 * may follow; a > among them: a file of results will do.  Or NULL. */
+	const char *needs;
 	/* A setting about the look of the full screen, which saves it; undo
 	 * ignores it. */
 	bool looks;

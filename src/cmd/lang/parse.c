@@ -976,6 +976,46 @@ parse_command_arguments(const struct words *words, struct args *args,
 	       store_option_values_in_args(args, error);
 }
 
+/* True if one of the words is this operand, or this option, "at=". */
+static bool
+has_needed_word(const struct words *words, const char *needed)
+{
+	size_t n = strcspn(needed, "= "), i = 1;
+	n += needed[n] == '=';
+	while (i < words->n && strncmp(words->text[i], needed, n) != 0)
+		i++;
+	return i < words->n;
+}
+
+/* Returns false with an error for an option that has no effect without a word
+ * that the line does not have. */
+static bool
+check_words_that_options_need(
+    const struct words *words, const struct args *args, struct error *error)
+{
+	const struct command_option *o;
+	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
+	     i++) {
+		const char *needs = o->needs;
+		if (needs == NULL || !args->value[i].given ||
+		    has_needed_word(words, needs) ||
+		    (words->to == TO_FILE && strchr(needs, '>') != NULL))
+			continue;
+		FREED char *line = xstrdup(words->typed);
+		for (const char *at = needs; *at >= 'a';) {
+			size_t n = strcspn(at, " ");
+			if (!has_needed_word(words, at))
+				xappend(&line, " %.*s", (int)n, at);
+			at += n + strspn(at + n, " ");
+		}
+		return error_set(error, ERROR_USAGE,
+		    "%s= has no effect without %.*s\n"
+		    "write: %s",
+		    o->name, (int)strcspn(needs, "0123456789 "), needs, line);
+	}
+	return true;
+}
+
 const struct command *
 parse_command_words(const struct words *words, struct place place,
     struct args *args, struct error *error)
@@ -987,7 +1027,8 @@ parse_command_words(const struct words *words, struct place place,
 	} else {
 		args->command = command_find_by_options(
 		    words->command, words->text + 1, words->n - 1);
-		if (parse_command_arguments(words, args, &column, error))
+		if (parse_command_arguments(words, args, &column, error) &&
+		    check_words_that_options_need(words, args, error))
 			return args->command;
 		hint_option_in_two_words(args->command, words, column, error);
 	}
