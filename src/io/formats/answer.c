@@ -541,6 +541,8 @@ const char *
 answer_find_json_text(const struct answer *a, const char *path)
 {
 	const json_t *in = a->fields;
+	if (strcmp(path, "site") == 0 && a->site != NULL)
+		return a->site;
 	for (; *path != '\0'; path += *path == '.') {
 		size_t n = strcspn(path, ".");
 		in = find_json_member(in, path, n);
