@@ -579,6 +579,43 @@ note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 	return n;
 }
 
+/* True if a table has speeds from the cells of a row: a sample has one. */
+static bool
+is_row_of_speeds(
+    const struct reading *r, const struct table *t, const struct row *row)
+{
+	for (size_t k = 0; k < r->all.n; k++) {
+		const struct column *c = &r->all.column[k];
+		if (c->table == t && c->at < row->n && c->speed > 0 &&
+		    fabs(row->cell[c->at].number - c->speed) < 1e-6)
+			return true;
+	}
+	return false;
+}
+
+/* Notes as left out each row between the headings and the sieves that has
+ * numbers of several samples after words that mean nothing here: "ca 16". */
+static void
+note_unknown_rows_above_sieves(struct reading *r, const struct table *t)
+{
+	for (size_t i = t->titles + 1; i < t->n_head && !t->across; i++) {
+		const struct row *row = &t->head[i];
+		const char *label = row->cell[0].text;
+		struct head said = heading_parse(label);
+		size_t numbers = 0;
+		for (size_t c = 1; c < row->n; c++)
+			numbers += isfinite(row->cell[c].number);
+		FREED char *words = xstrdup("");
+		append_line_to_short_list(&words, row, 0);
+		if (numbers > 1 && said.unknown > 0 && said.means == 0 &&
+		    !lexicon_is_date_label(label) &&
+		    !lexicon_is_label_of_sites(label) &&
+		    !is_row_of_speeds(r, t, row))
+			leave_out(r->site, row->line,
+			    "%s: numbers above the first sieve", words);
+	}
+}
+
 /* Notes what is in the tables or below them and was not read.  A comment may be
  * a sieve that the user has excluded with #. */
 static void
@@ -613,8 +650,10 @@ note_all_unread_lines(struct reading *r)
 			    sheet_truncated_text_length(beside->text),
 			    beside->text);
 	}
-	for (size_t i = 0; i < r->n_table; i++)
+	for (size_t i = 0; i < r->n_table; i++) {
+		note_unknown_rows_above_sieves(r, r->table[i]);
 		note_sieves_without_numbers(r, r->table[i]);
+	}
 	note_left_out_cells(r);
 }
 
