@@ -191,6 +191,17 @@ note_higher_of_compared_sides(struct answer *r, const struct session *s,
 		    digits, round_difference_as_shown(q, range[1]), unit);
 }
 
+/* Returns the value of a quantity, the ith of a forecast, in the unit shown.
+ * f: NULL for a pinned prediction. */
+static double
+compared_side_quantity(const struct compared *side, struct forecast *f,
+    const struct quantity *q, size_t i)
+{
+	return f != NULL ? forecast_value_in_shown_unit(f, i).value
+			 : quantities_value_in_shown_unit(q,
+			       screened_quantity_of_product(&side->p.curve, q));
+}
+
 /* Adds a row, an object for programs and, if there are bands, a sentence for
  * each quantity q [n]. */
 static void
@@ -200,10 +211,13 @@ add_compared_quantity_rows(struct answer *r, const struct session *s,
 	struct fields *list = fields_add_list(answer_json_fields(r), "figures");
 	struct forecast *f[2];
 	for (size_t i = 0; i < 2; i++) {
-		f[i] = forecast_open(s, &side[i].q, q, n);
-		forecast_set_speed(f[i], side[i].p.speed);
+		f[i] =
+		    side[i].pinned ? NULL : forecast_open(s, &side[i].q, q, n);
+		if (f[i] != NULL)
+			forecast_set_speed(f[i], side[i].p.speed);
 	}
-	bool band = forecast_draws_of_quantity(f[0], 0) != NULL &&
+	bool band = f[0] != NULL && f[1] != NULL &&
+		    forecast_draws_of_quantity(f[0], 0) != NULL &&
 		    forecast_draws_of_quantity(f[1], 0) != NULL;
 	answer_add_columns(r,
 	    "quantity: figure, a: %s, b: %s, unit, difference", side[0].head,
@@ -211,9 +225,11 @@ add_compared_quantity_rows(struct answer *r, const struct session *s,
 	if (band)
 		answer_add_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
-		struct figure more = forecast_difference(f[0], f[1], i);
-		double a = forecast_value_in_shown_unit(f[0], i).value;
-		double b = forecast_value_in_shown_unit(f[1], i).value;
+		struct figure more = {NAN, NAN, NAN};
+		if (band)
+			more = forecast_difference(f[0], f[1], i);
+		double a = compared_side_quantity(&side[0], f[0], &q[i], i);
+		double b = compared_side_quantity(&side[1], f[1], &q[i], i);
 		double low = quantities_value_in_shown_unit(&q[i], more.low);
 		double high = quantities_value_in_shown_unit(&q[i], more.high);
 		int decimals = quantities_decimals(&q[i]);
@@ -523,13 +539,14 @@ parse_compared_quantities(const struct args *args,
 {
 	if (args->of == NULL)
 		return true;
-	if (side[0].pinned || side[1].pinned)
+	const struct question *like = &side[side[0].pinned].q;
+	if (like->entry == NULL)
 		return error_set(error, ERROR_USAGE,
-		    "compare: expected no figures with what is pinned\n"
-		    "leave out '%s', or write two speeds",
-		    args->of);
-	*q = quantities_parse_list_for_feed(args->of, &side[0].q.fraction,
-	    question_feed(&side[0].q), true, n, error);
+		    "compare: expected a speed beside pinned with '%s'\n"
+		    "write: compare pinned 74 %s",
+		    args->of, args->of);
+	*q = quantities_parse_list_for_feed(
+	    args->of, &like->fraction, question_feed(like), true, n, error);
 	return *q != NULL;
 }
 

@@ -155,7 +155,7 @@ const struct command TABLE_ANSWERS[] = {
 	    "(second minus first), P20, P50, P80 and the break sizes; or the "
 	    "figures that are named, and says where they are higher. 'pinned' "
 	    "is what pin has kept, with its own site and feed; the difference "
-	    "then has no band or figures. > FILE.svg, .png or .pdf draws both.",
+	    "then has no band. > FILE.svg, .png or .pdf draws both.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "compare 69 79\ncompare 69 79 2/4 P80",
