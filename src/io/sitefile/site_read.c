@@ -611,7 +611,7 @@ note_unknown_rows_above_sieves(struct reading *r, const struct table *t)
 		    !lexicon_is_date_label(label) &&
 		    !lexicon_is_label_of_sites(label) &&
 		    !is_row_of_speeds(r, t, row))
-			leave_out(r->site, row->line,
+			site_heading_leave_out(r->site, row->line,
 			    "%s: numbers above the first sieve", words);
 	}
 }
