@@ -442,9 +442,9 @@ parse_heading_text(const char *text, char **left)
 	FREED char *words = xcalloc(strlen(folded) + 1, 1);
 	*left = xcalloc(strlen(folded) + 1, 1);
 	struct head head = parse_speeds_out_of_text(folded, words, *left);
-	return is_heading_of_belt_speed(folded)
-		   ? (struct head){.means = WORD_OTHER}
-		   : head;
+	if (is_heading_of_belt_speed(folded))
+		head = (struct head){.means = WORD_OTHER};
+	return head;
 }
 
 struct head
