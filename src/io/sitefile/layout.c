@@ -20,6 +20,7 @@
 
 enum {
 	MOST_HEADS = 6,
+	MOST_LINES_ABOVE = 20, /* from the headings to a row of speeds */
 	MOST_TABLES = 64,
 	LEAST_WITHOUT_HEAD = 4 /* sieves of a table without a heading */
 };
@@ -1026,10 +1027,11 @@ is_key_above_sieves(const struct sheet_grid *g, const struct place *p, size_t c)
 {
 	uint64_t means = cell_classification_at(g, 0, c)->means;
 	size_t cells = 0;
+	if (!g->across || c >= p->c)
+		return false;
 	for (size_t r = p->first; r < p->last; r++)
 		cells += is_cell_filled(g, r, c);
-	return g->across && c < p->c && cells < 2 &&
-	       (means & (WORD_FEED | WORD_PRODUCT)) == 0;
+	return cells < 2 && (means & (WORD_FEED | WORD_PRODUCT)) == 0;
 }
 
 /* Lists the columns of a table that are not empty: its sieves, then those from
@@ -1137,6 +1139,8 @@ has_speeds_of_columns(const struct sheet_grid *g, size_t r,
 {
 	size_t all = 0, own = 0, i = 1;
 	bool units = true, fast = true;
+	if (!can_head_speeds(g, r, p, true))
+		return false;
 	for (size_t c = p->c + 1; c < g->n_col; c++) {
 		double number = 0;
 		struct head said = heading_parse(cell_at(g, r, c)->text);
@@ -1203,8 +1207,9 @@ add_speeds_further_above(const struct sheet_grid *g, const struct place *p,
 			stated = stated || heading_has_speed(&said) ||
 				 (c == 0 && (said.means & WORD_SPEED) != 0);
 		}
-	for (size_t r = top;
-	     r-- > 0 && !stated && !cell_classification_at(g, r, p->c)->used;)
+	size_t first = top > MOST_LINES_ABOVE ? top - MOST_LINES_ABOVE : 0;
+	for (size_t r = top; r-- > first && !stated &&
+			     !cell_classification_at(g, r, p->c)->used;)
 		if (has_speeds_of_columns(g, r, p, t, true)) {
 			insert_row_of_speeds(g, r, t);
 			return;
