@@ -1010,8 +1010,9 @@ check_words_that_options_need(
 		}
 		return error_set(error, ERROR_USAGE,
 		    "%s= has no effect without %.*s\n"
-		    "write: %s",
-		    o->name, (int)strcspn(needs, "0123456789 "), needs, line);
+		    "write: %s; or leave out %s=",
+		    o->name, (int)strcspn(needs, "0123456789 "), needs, line,
+		    o->name);
 	}
 	return true;
 }
