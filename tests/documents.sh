@@ -105,10 +105,12 @@ result $? "without a calibration it says what is missing"
 	is_page two.html && grep -q '<h2>All loaded sites' two.html
 result $? "several sites have a section"
 "$TIPSPEED" data/sites/tierp.csv -c calibrate -c 'add data/cuts/tierp-may.csv' \
-	-c 'report > cuts.html' >out.txt 2>err.txt &&
+	-c 'report "passing 2 = 30..50" tph=200 > cuts.html' >out.txt 2>err.txt &&
 	is_page cuts.html && grep -q '<h2>Routine cuts' cuts.html &&
 	! grep "^<p>No '" cuts.html && ! grep -q '<h2>Routine cuts' two.html
 result $? "and so have routine cuts"
+[ "$(sed -n '/<h2>Card/,/<h2>How/p' cuts.html | grep -c '<table')" = 1 ]
+result $? "its card with limits and tonnes is one table"
 
 if "$TIPSPEED" -c version | grep -q 'without cairo'; then
 	"$TIPSPEED" data/sites/tierp.csv -c 'report > a.pdf' >out.txt 2>err.txt

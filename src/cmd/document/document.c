@@ -193,7 +193,7 @@ bool
 document_find_columns_that_fit(
     const struct answer_view *v, bool all, size_t *from, size_t *to)
 {
-	enum { WIDEST = 120, GAP = 2 };
+	enum { WIDEST = 132, GAP = 2 };
 	bool first = *to == 0;
 	*from = first ? 1 : *to;
 	if (v->n_row == 0 || (!first && *from >= v->n_column))
