@@ -985,7 +985,8 @@ distinctive_words_of_sample(const struct column *c)
 	char *words = xstrdup("");
 	for (char *p = folded; *p != '\0';) {
 		size_t n = strcspn(p, " ,;()[]@\n");
-		FREED char *word = xstrndup(p, n);
+		bool dot = n > 1 && p[n - 1] == '.'; /* "Tue." */
+		FREED char *word = xstrndup(p, n - dot);
 		bool range = strchr(word, '/') != NULL &&
 			     strspn(word, "0123456789/.") == n && n > 2;
 		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&
