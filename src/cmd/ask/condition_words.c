@@ -22,13 +22,15 @@ is_option_word(const struct command *command, const char *word)
 }
 
 /* Puts spaces around the = of "fm=4", which would otherwise be taken for an
- * option that the command does not have. */
+ * option that the command does not have, and of "p80=5,p20>1", for one that it
+ * has. */
 static void
 separate_quantity_from_value(struct words *words, size_t i)
 {
 	const char *word = words->text[i];
 	size_t n = strcspn(word, " <>=");
-	if (word[n] != '=' || is_option_word(words->command, word) ||
+	bool list = word[n] == '=' && strpbrk(word + n + 1, "<>=") != NULL;
+	if (word[n] != '=' || (is_option_word(words->command, word) && !list) ||
 	    !quantities_is_beginning_of_text(word))
 		return;
 	FREED char *apart = xasprintf("%.*s = %s", (int)n, word, word + n + 1);
@@ -75,6 +77,18 @@ does_word_continue_condition(
 		   conditions_is_likely_complete(before));
 }
 
+/* Returns the index after the next setting, from word i on, whose value has
+ * several words. */
+static size_t
+index_after_setting_of_words(const struct words *words, size_t i)
+{
+	size_t which;
+	while (i < words->n &&
+	       !text_find_word_in_list("goal quantity", words->text[i], &which))
+		i++;
+	return i + 1;
+}
+
 /* Returns the index of the first word of a condition, or 0 if the command
  * takes no conditions. */
 static size_t
@@ -87,12 +101,8 @@ find_first_condition_word(const struct words *words)
 		     value_is_speed(words->text[1]);
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
 		return speed ? 2 : 1;
-	size_t which; /* of the settings whose value has several words */
-	return takes && words->n > 3 &&
-		       text_find_word_in_list(
-			   "goal quantity", words->text[1], &which)
-		   ? 2
-		   : 0;
+	size_t value = takes ? index_after_setting_of_words(words, 1) : 0;
+	return value + 1 < words->n ? value : 0;
 }
 
 /* Removes the comma at the end of a condition, as in "passing 2 > 30, fines <
@@ -202,6 +212,9 @@ conditions_join_words(struct words *words)
 	if (from == 0)
 		return;
 	bool set = (words->command->flags & COMMAND_SETTINGS) != 0;
-	for (size_t i = from; i < words->n && (i == from || !set); i++)
-		join_words_of_condition(words, i);
+	while (from < words->n) {
+		join_words_of_condition(words, from++);
+		if (set)
+			from = index_after_setting_of_words(words, from);
+	}
 }
