@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -41,13 +42,10 @@ static bool
 is_beginning_of_condition(const char *word)
 {
 	FREED char *with = xasprintf("%s ", word);
-	size_t which;
 	bool most;
 	return quantities_is_beginning_of_text(word) ||
 	       conditions_parse_max_or_min(with, &most) != NULL ||
-	       text_find_word_in_list(
-		   "at under below finer over above coarser retained", word,
-		   &which);
+	       strcasecmp(word, "at") == 0;
 }
 
 /* If "and" and a condition follow word i, puts a comma in the place of "and".
