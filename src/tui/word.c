@@ -1,7 +1,6 @@
 /* Command names, and speeds in rpm, typed where letters and digits are keys.  A
- * letter whose key does more
- * than move waits for a moment: if the next letter continues the name of a
- * command, neither acts as a key.
+ * letter whose key does more than move waits for a moment: if the next letter
+ * continues the name of a command, neither acts as a key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/word.h"
 

@@ -217,7 +217,9 @@ static void
 a_word_too_long_to_find_does_nothing_else(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
-	type(t, "?/what is longer than the room there is for a word: q");
+	type(t, ":help keys\n");
+	assert_true(t->viewer.keys);
+	type(t, "\033?/what is longer than the room there is for a word: q");
 	assert_true(t->viewer.word.active);
 	assert_int_equal(t->viewer.word.n, VIEWER_WORD);
 	assert_false(t->leave);
