@@ -27,8 +27,8 @@ units_fraction_to_pct(double passing)
 	return isfinite(passing) ? round(passing * 1e14) / 1e12 : passing;
 }
 
-/* Returns the number of decimals to show a speed in m/s with: those that it has,
- * up to the four that are kept of a sheet's, else one. */
+/* Returns the number of decimals to show a speed in m/s with: those that it
+ * has, up to the four that are kept of a sheet's, else one. */
 static inline int
 units_speed_decimals(double v)
 {
