@@ -26,32 +26,21 @@ is_digit_key(int code, bool special)
 }
 
 bool
-word_open_speed_on_two_digits(struct tui *t, int code, bool special)
-{
-	struct held_letter *w = &t->word;
-	const char both[] = {w->letter, (char)code, '\0'};
-	if (!is_digit_key(w->letter, false) || !is_digit_key(code, special) ||
-	    t->clock - w->at > GAP || !(tui_slider_range(t).rotor > 0))
-		return false;
-	t->ui = w->was;
-	*w = (struct held_letter){0};
-	edit_begin(&t->speed, both);
-	return true;
-}
-
-bool
-word_open_cmdline_on_two_letters(struct tui *t, int code, bool special)
+word_open_line_on_two_keys(struct tui *t, int code, bool special)
 {
 	struct held_letter *w = &t->word;
 	const char both[] = {w->letter, (char)code, '\0'};
 	FREED char *names = command_names_beginning_with(both);
-	if (w->letter == '\0' || !is_lower_case_letter(code, special) ||
-	    t->clock - w->at > GAP || names[0] == '\0')
+	bool digits = is_digit_key(w->letter, false) &&
+		      is_digit_key(code, special) &&
+		      tui_slider_range(t).rotor > 0;
+	bool letters = is_lower_case_letter(code, special) && names[0] != '\0';
+	if (w->letter == '\0' || !(digits || letters) || t->clock - w->at > GAP)
 		return false;
 	t->ui = w->was;
 	*w = (struct held_letter){0};
 	t->message[0] = '\0';
-	edit_begin(&t->line, both);
+	edit_begin(digits ? &t->speed : &t->line, both);
 	return true;
 }
 
