@@ -15,6 +15,7 @@
 #include "cmd/run/line.h"
 #include "cmd/lang/parse.h"
 #include "cmd/session/undo.h"
+#include "tui/acts.h"
 #include "tui/control.h"
 #include "cli/ask.h"
 #include "cli/signals.h"
@@ -275,7 +276,9 @@ cmdline_run_line(struct tui *t, const char *line)
 	FREED char *meant = line_with_slider_speed(line, command, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_history_add(line);
-	if (is_command_blocked_by_fit(t, command))
+	if (text_is_same_folded(line, "help keys"))
+		act_list_keys(t, NULL);
+	else if (is_command_blocked_by_fit(t, command))
 		tui_set_message(t, false,
 		    "%s answers when the calibration ends; s stops it and "
 		    "keeps the best",

@@ -361,6 +361,10 @@ folder_item_preview_text(const struct folder_item *item)
 		return xasprintf("%s\n", strerror(errno));
 	if (about.st_size == 0)
 		return xstrdup(tr("an empty file\n"));
+	if (about.st_size > TEXTFILE_SHEET)
+		return xasprintf(tr("larger than the %d MB that a site file "
+				    "may have\n"),
+		    TEXTFILE_SHEET / 1000000);
 	if (unpacked_size_of_file(item->path, (double)about.st_size) >
 	    MOST_BYTES)
 		return xstrdup(tr("large: not read for a preview; Enter loads "

@@ -672,7 +672,7 @@ run_delayed_key_before(struct tui *t, int code, bool special)
 void
 keymap_handle_key(struct tui *t, int code, bool special)
 {
-	if (word_open_cmdline_on_two_letters(t, code, special) ||
+	if (word_open_line_on_two_keys(t, code, special) ||
 	    run_delayed_key_before(t, code, special))
 		return;
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {

@@ -236,7 +236,8 @@ struct view {
 	bool rows_left;               /* some are not computed yet */
 };
 
-/* A letter that may begin the name of a command, see word.h.  at: when it was
+/* A letter that may begin the name of a command, or a digit that may begin a
+ * speed, see word.h.  at: when it was
  * typed, s.  held: its key, if that has not acted yet, or NULL.  was: the
  * user's choices before the letter. */
 struct held_letter {

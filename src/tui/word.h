@@ -1,4 +1,4 @@
-/* Command names typed where letters are keys.
+/* Command names, and speeds in rpm, typed where letters and digits are keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WORD_H
 #define TIPSPEED_TUI_WORD_H
@@ -6,8 +6,9 @@
 #include "tui/tui_state.h"
 
 /* If a key is the second letter of a command's name, opens the command line
- * with both letters, reverses what the first letter moved, and returns true. */
-bool word_open_cmdline_on_two_letters(struct tui *t, int code, bool special);
+ * with both letters; if it is the second digit of a speed in rpm, begins the
+ * speed.  Reverses what the first key did, and returns true. */
+bool word_open_line_on_two_keys(struct tui *t, int code, bool special);
 
 /* Holds a key that may begin such a name and returns true if it is held.
  * Without a terminal, no key is held. */

@@ -171,6 +171,21 @@ a_sheet_in_rpm_is_stepped_in_rpm(void **state)
 	assert_non_null(strstr(t->message, ":set slider 1379..1900rpm"));
 	type(t, ":set slider 1380..1900rpm\n=1900\n");
 	assert_int_equal(tui_slider_position(t), 1900);
+	/* A page that the first digit opens is left again by a quick second. */
+	t->aside = false;
+	type(t, "4");
+	t->clock += 1;
+	assert_int_equal(t->ui.page, PAGE_PARITY);
+	type(t, "1450\n");
+	assert_int_equal(t->ui.page, PAGE_PARITY);
+	assert_int_equal(tui_slider_position(t), 1450);
+	type(t, "1");
+	t->clock += 1;
+	type(t, "2");
+	assert_int_equal(t->ui.page, PAGE_FIT);
+	t->clock += 1;
+	type(t, "1");
+	t->aside = true;
 	/* Another site is in m/s, and the slider stays at its speed. */
 	double speed = tui_slider_speed(t);
 	site->rotor = 0;
@@ -202,7 +217,9 @@ static void
 a_word_too_long_to_find_does_nothing_else(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
-	type(t, "?/what is longer than the room there is for a word: q");
+	type(t, ":help keys\n");
+	assert_true(t->viewer.keys);
+	type(t, "\033?/what is longer than the room there is for a word: q");
 	assert_true(t->viewer.word.active);
 	assert_int_equal(t->viewer.word.n, VIEWER_WORD);
 	assert_false(t->leave);

@@ -443,6 +443,8 @@ strange_files_are_looked_at_without_being_read(void **state)
 	assert_string_equal(list.item[3].name, "a.csv");
 	assert_string_equal(list.item[3].about, "results of predict");
 	char *big = folder_item_preview_text(&list.item[0]);
+	assert_int_equal(truncate("big.csv", 10000001), 0);
+	char *refused = folder_item_preview_text(&list.item[0]);
 	char *empty = folder_item_preview_text(&list.item[1]);
 	char *command = folder_command_to_open(
 	    &(struct folder_item){
@@ -456,10 +458,12 @@ strange_files_are_looked_at_without_being_read(void **state)
 	rmdir(folder);
 	assert_string_equal(
 	    big, "large: not read for a preview; Enter loads it\n");
+	assert_non_null(strstr(refused, "larger than the 10 MB"));
 	assert_string_equal(empty, "an empty file\n");
 	assert_string_equal(command, "load \"./a=b.csv\"");
 	assert_string_equal(list.item[2].name, "..");
 	free(big);
+	free(refused);
 	free(empty);
 	free(command);
 	folder_free(&list);

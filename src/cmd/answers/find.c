@@ -90,6 +90,21 @@ parse_goal_operand(const char *text, const struct fraction *fraction,
 	return true;
 }
 
+/* Reads an operand, which may be several separated by commas. */
+static bool
+parse_goal_operands(const char *text, const struct fraction *fraction,
+    struct find_request *goal, struct error *error)
+{
+	for (const char *at = text; *at != '\0';) {
+		size_t n = text_length_of_list_item(at);
+		FREED char *one = xstrndup(at, n);
+		if (!parse_goal_operand(text_trim(one), fraction, goal, error))
+			return false;
+		at += n + (at[n] != '\0');
+	}
+	return true;
+}
+
 /* Refuses conditions without a goal, and proposes window, or a maximum. */
 static bool
 error_conditions_without_goal(const struct args *args,
@@ -165,7 +180,7 @@ parse_goal(struct session *s, const struct args *args,
 	const struct psd *feed = question_feed(q);
 	const struct fraction *fraction = &q->fraction;
 	for (size_t i = 0; i < args->n_operand; i++)
-		if (!parse_goal_operand(
+		if (!parse_goal_operands(
 			args->operand[i], fraction, goal, error))
 			return conditions_set_error_place(args, i, error);
 	bool named = goal->n > 0 || args->n_operand > 0;

@@ -182,7 +182,7 @@ const struct command TABLE_ANSWERS[] = {
 	.option = OPTION_LIST({LAST_OR_USUAL_SPEED},
 	    {TEXT(of), NULL, "",
 		"figures, with commas between: P80, passing 2, "
-		"fm EN, 0/4, P50 of 0/4"}),
+		"over 8, fm EN, 0/4, P50 of 0/4"}),
 	.shared = {SHARED_RPM, SHARED_FEED, SHARED_MACHINE, SHARED_CUT},
 	.text =
 	    "Does the same as predict with the names of figures, predict 72 "

@@ -196,29 +196,6 @@ static const struct {
 } LIMIT_WORDS[] = {{" between ", '='}, {" at least ", '>'}, {" at most ", '<'},
     {" more than ", '>'}, {" less than ", '<'}, {" min ", '>'}, {" max ", '<'}};
 
-/* Returns the length of the word before a size for what passes it, as in "under
- * 2 mm", or is retained, as in "over 8 mm"; or 0. */
-static size_t
-length_of_word_before_size(const char *text, bool *retained)
-{
-	static const struct {
-		const char *word;
-		bool retained;
-	} BEFORE[] = {{"over ", true}, {"above ", true},
-	    {"coarser than ", true}, {"retained on ", true},
-	    {"passing ", false}, {"passes ", false}, {"under ", false},
-	    {"below ", false}, {"finer than ", false}, {"<", false}};
-	*retained = false;
-	for (size_t i = 0; i < ARRAY_LEN(BEFORE); i++) {
-		size_t n = strlen(BEFORE[i].word);
-		if (strncasecmp(text, BEFORE[i].word, n) != 0)
-			continue;
-		*retained = BEFORE[i].retained;
-		return n;
-	}
-	return 0;
-}
-
 /* Turns "58 % passes 2 mm", as answers put it, and "58 % < 2 mm" into "passes 2
  * mm = 58 %", and "at most 6 % fines" into "fines < 6 %".  Returns NULL for
  * other texts.  The caller frees it. */
@@ -236,7 +213,7 @@ rewrite_value_first_condition(const char *text)
 	int n = (int)strspn(text, "0123456789.,");
 	const char *of = text + n + strspn(text + n, " %");
 	bool percent = strchr(text, '%') != NULL, retained;
-	size_t word = length_of_word_before_size(of, &retained);
+	size_t word = quantities_word_before_size(of, &retained);
 	struct quantity q;
 	struct error none = {0};
 	bool named = word > 0 ? percent || *of != '<'
@@ -254,7 +231,7 @@ static char *
 name_passing_of_size(const char *text)
 {
 	bool retained;
-	size_t word = length_of_word_before_size(text, &retained);
+	size_t word = quantities_word_before_size(text, &retained);
 	const char *size = text + word, *unit = size + strspn(size, SIZE);
 	bool named = size + strcspn(size, "0123456789") < unit &&
 		     (word > 0 || strncmp(unit, "mm", 2) == 0) &&
@@ -338,7 +315,7 @@ parse_condition_with_sign(const char *text, const struct fraction *fraction,
 	if (text[n] == '\0')
 		return error_missing_limit_sign(text, fraction, error);
 	bool retained;
-	size_t word = length_of_word_before_size(text, &retained);
+	size_t word = quantities_word_before_size(text, &retained);
 	FREED char *name =
 	    retained ? xasprintf("passing %.*s", (int)(n - word), text + word)
 		     : xstrndup(text, n);

@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -22,13 +23,15 @@ is_option_word(const struct command *command, const char *word)
 }
 
 /* Puts spaces around the = of "fm=4", which would otherwise be taken for an
- * option that the command does not have. */
+ * option that the command does not have, and of "p80=5,p20>1", for one that it
+ * has. */
 static void
 separate_quantity_from_value(struct words *words, size_t i)
 {
 	const char *word = words->text[i];
 	size_t n = strcspn(word, " <>=");
-	if (word[n] != '=' || is_option_word(words->command, word) ||
+	bool list = word[n] == '=' && strpbrk(word + n + 1, "<>=") != NULL;
+	if (word[n] != '=' || (is_option_word(words->command, word) && !list) ||
 	    !quantities_is_beginning_of_text(word))
 		return;
 	FREED char *apart = xasprintf("%.*s = %s", (int)n, word, word + n + 1);
@@ -39,13 +42,10 @@ static bool
 is_beginning_of_condition(const char *word)
 {
 	FREED char *with = xasprintf("%s ", word);
-	size_t which;
 	bool most;
 	return quantities_is_beginning_of_text(word) ||
 	       conditions_parse_max_or_min(with, &most) != NULL ||
-	       text_find_word_in_list(
-		   "at under below finer over above coarser retained", word,
-		   &which);
+	       strcasecmp(word, "at") == 0;
 }
 
 /* If "and" and a condition follow word i, puts a comma in the place of "and".
@@ -75,6 +75,18 @@ does_word_continue_condition(
 		   conditions_is_likely_complete(before));
 }
 
+/* Returns the index after the next setting, from word i on, whose value has
+ * several words. */
+static size_t
+index_after_setting_of_words(const struct words *words, size_t i)
+{
+	size_t which;
+	while (i < words->n &&
+	       !text_find_word_in_list("goal quantity", words->text[i], &which))
+		i++;
+	return i + 1;
+}
+
 /* Returns the index of the first word of a condition, or 0 if the command
  * takes no conditions. */
 static size_t
@@ -87,12 +99,8 @@ find_first_condition_word(const struct words *words)
 		     value_is_speed(words->text[1]);
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
 		return speed ? 2 : 1;
-	size_t which; /* of the settings whose value has several words */
-	return takes && words->n > 3 &&
-		       text_find_word_in_list(
-			   "goal quantity", words->text[1], &which)
-		   ? 2
-		   : 0;
+	size_t value = takes ? index_after_setting_of_words(words, 1) : 0;
+	return value + 1 < words->n ? value : 0;
 }
 
 /* Removes the comma at the end of a condition, as in "passing 2 > 30, fines <
@@ -202,6 +210,9 @@ conditions_join_words(struct words *words)
 	if (from == 0)
 		return;
 	bool set = (words->command->flags & COMMAND_SETTINGS) != 0;
-	for (size_t i = from; i < words->n && (i == from || !set); i++)
-		join_words_of_condition(words, i);
+	while (from < words->n) {
+		join_words_of_condition(words, from++);
+		if (set)
+			from = index_after_setting_of_words(words, from);
+	}
 }

@@ -201,12 +201,47 @@ parse_quantity_kind(const char *text, const char **rest)
 	return kind;
 }
 
+/* Words before a size for what passes it or is retained on it. */
+static const struct {
+	const char *word;
+	bool retained;
+} BEFORE[] = {{"over ", true}, {"above ", true}, {"coarser than ", true},
+    {"retained on ", true}, {"passing ", false}, {"passes ", false},
+    {"under ", false}, {"below ", false}, {"finer than ", false}, {"<", false}};
+
+size_t
+quantities_word_before_size(const char *text, bool *retained)
+{
+	*retained = false;
+	for (size_t i = 0; i < ARRAY_LEN(BEFORE); i++) {
+		size_t n = strlen(BEFORE[i].word);
+		if (strncasecmp(text, BEFORE[i].word, n) != 0)
+			continue;
+		*retained = BEFORE[i].retained;
+		return n;
+	}
+	return 0;
+}
+
+/* What is retained on a size is the fraction from it to the largest size. */
 static bool
 parse_quantity_by_kind(
     const char *text, struct quantity *q, struct error *error)
 {
 	const char *rest;
+	bool retained;
+	size_t word = quantities_word_before_size(text, &retained);
 	q->kind = parse_quantity_kind(text, &rest);
+	if (retained) {
+		q->kind = QUANTITY_SHARE;
+		q->fraction.coarse = SIZE_MOST_MM / 1000;
+		return parse_mm_to_metres(text + word, &q->fraction.fine) ||
+		       error_expected_quantity(text, error);
+	}
+	if (word > 0) {
+		q->kind = QUANTITY_PASSING;
+		rest = text + word;
+	}
 	if (strcasecmp(text, "fines") == 0) {
 		q->kind = QUANTITY_PASSING;
 		q->x = QUANTITIES_FINES;
@@ -252,6 +287,10 @@ quantities_is_beginning_of_text(const char *text)
 		    strncasecmp(first, word, n) == 0)
 			return true;
 	}
+	for (size_t i = 0; i < ARRAY_LEN(BEFORE); i++)
+		if (n > 0 && strncasecmp(BEFORE[i].word, word, n) == 0 &&
+		    BEFORE[i].word[n] == ' ')
+			return true;
 	return quantities_parse_one(word, &PARTITION_IDEAL, &q, &error);
 }
 
@@ -342,6 +381,14 @@ quantities_fraction_text(const struct fraction *fraction)
 
 enum form { FOR_PEOPLE, AS_KEY, AS_TYPED };
 
+/* True for "over 8", the fraction up to the largest size. */
+static bool
+is_retained_quantity(const struct quantity *q)
+{
+	return q->kind == QUANTITY_SHARE &&
+	       q->fraction.coarse >= SIZE_MOST_MM / 1000;
+}
+
 /* Returns the size, percentage, fraction or standard of a quantity, or "".  The
  * caller frees it. */
 static char *
@@ -355,6 +402,10 @@ quantity_text_without_kind(const struct quantity *q, enum form form)
 		return xasprintf("%s%g", form == FOR_PEOPLE ? letter : "",
 		    units_fraction_to_pct(q->x));
 	case QUANTITY_SHARE:
+		if (is_retained_quantity(q))
+			return xasprintf(
+			    form == FOR_PEOPLE ? tr("over %g mm") : "over %g",
+			    units_m_to_mm(q->fraction.fine));
 		return quantities_fraction_text(&q->fraction);
 	case QUANTITY_MODULUS:
 		return xstrdup(form == FOR_PEOPLE ? q->modulus->standard
@@ -431,7 +482,9 @@ quantities_field_name(const struct quantity *q)
 	char *key =
 	    put_argument_into_quantity_name(KINDS[q->kind].key, q, AS_KEY);
 	const char *unit = quantities_unit(q);
-	if (fraction_is_screened(&q->fraction))
+	if (is_retained_quantity(q))
+		xappend(&key, "_over_%g", units_m_to_mm(q->fraction.fine));
+	else if (fraction_is_screened(&q->fraction))
 		xappend(&key, "_%g_%g", units_m_to_mm(q->fraction.fine),
 		    units_m_to_mm(q->fraction.coarse));
 	if (unit[0] != '\0')

@@ -15,6 +15,10 @@
 bool quantities_parse_one(const char *text, const struct partition *partition,
     struct quantity *q, struct error *error);
 
+/* Returns the length of the word before a size for what passes it, as in "under
+ * 2 mm", or is retained, as in "over 8 mm"; or 0. */
+size_t quantities_word_before_size(const char *text, bool *retained);
+
 /* True if the first word of the text, or the first of a list such as "cu,cc",
  * is a quantity or begins one. */
 bool quantities_is_beginning_of_text(const char *text);

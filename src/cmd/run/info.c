@@ -171,6 +171,11 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		usage_print_shared_options(width, out);
 	else if (strcmp(name, "trust") == 0 && !example)
 		usage_print_trust_lights(width, out);
+	else if (strcmp(name, "keys") == 0 && !example)
+		text_print_wrapped(
+		    tr("In full-screen mode, ? lists the keys of the page; "
+		       "'man tui' has the keys of all pages."),
+		    0, width, out);
 	else if (is_command_group(name) && !example)
 		usage_print_command_list(name, width, out);
 	else

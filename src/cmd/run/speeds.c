@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/ask/condition.h"
+#include "cmd/session/call_paths.h"
 #include "core/psd/rotor_speed.h"
 #include "core/psd/site.h"
 
@@ -165,13 +166,12 @@ length_of_rpm_within_word(
     const struct command *command, const char *word, const char *at)
 {
 	static const char POWER[] = "power=";
-	const char *sign = strrchr(word, '@');
+	const char *sign = call_path_at_sign(word);
 	bool power = strncmp(word, POWER, strlen(POWER)) == 0 && at > word &&
 		     strchr("=,;", at[-1]) != NULL;
 	size_t which; /* of the commands that read cuts */
 	bool file = text_find_word_in_list("add load", command->name, &which) &&
-		    sign != NULL && sign > word && at == sign + 1 &&
-		    strchr(word, '=') == NULL;
+		    sign != NULL && at == sign + 1 && strchr(word, '=') == NULL;
 	double rpm;
 	size_t n = power || file ? strspn(at, "0123456789.") : 0;
 	FREED char *number = xstrndup(at, n);

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
+#include "io/cells/datetime.h"
 #include "io/formats/standards.h"
 #include "io/fs/file.h"
 
@@ -121,6 +122,17 @@ call_paths_map(const struct command_option *option, const char *paths,
 		    at + length);
 	}
 	return whole;
+}
+
+const char *
+call_path_at_sign(const char *word)
+{
+	struct datetime m;
+	const char *at = strrchr(word, '@');
+	bool name = at == NULL || at == word || access(word, F_OK) == 0 ||
+		    (strchr(at, '/') != NULL && !text_ends_with(at, "m/s") &&
+			!datetime_parse(at + 1, &m));
+	return name ? NULL : at;
 }
 
 size_t

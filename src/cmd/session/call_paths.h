@@ -15,6 +15,10 @@
 const char *call_path_in_word(const struct args *args, const char *word,
     const struct command_option **option);
 
+/* Returns the @ of a file with a speed or a time, "cut.csv@70"; NULL if there
+ * is none, or if it is part of the file's name. */
+const char *call_path_at_sign(const char *word);
+
 /* Returns the length of the path, or of what is before an @ or = in it, if that
  * is a file or folder, else 0. */
 size_t call_path_length_of_file(const char *path);

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -16,6 +15,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/sheets/check.h"
 #include "cmd/ask/cut.h"
+#include "cmd/session/call_paths.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/invocation.h"
 #include "cmd/sheets/load.h"
@@ -210,18 +210,6 @@ parse_cut_time(const char *text, enum datetime_order order, double day,
 		   text);
 }
 
-/* Returns the @ before a speed or a time; NULL if it is part of a file name. */
-static const char *
-find_at_sign_of_speed(const char *word)
-{
-	struct datetime m;
-	const char *at = strrchr(word, '@');
-	bool name = at == NULL || at == word || access(word, F_OK) == 0 ||
-		    (strchr(at, '/') != NULL && !text_ends_with(at, "m/s") &&
-			!datetime_parse(at + 1, &m));
-	return name ? NULL : at;
-}
-
 /* Fills in *o for a word of the call.  A time, as in
  * "cut.csv@2026-05-03T10:15", is looked up in the log and replaced with the
  * speed then: "cut.csv@64.2". */
@@ -230,7 +218,7 @@ look_up_cut_speed_in_log(struct session *s, const struct args *args,
     const char *word, double day, double rotor, struct cut_source *o,
     struct error *error)
 {
-	const char *at = find_at_sign_of_speed(word);
+	const char *at = call_path_at_sign(word);
 	size_t n = at != NULL ? (size_t)(at - word) : strlen(word);
 	double time = NAN;
 	FREED char *path = xstrndup(word, n);
@@ -373,7 +361,7 @@ find_file_of_cut(const struct origins *all, double speed)
 {
 	const struct cut_source *found = all->n == 1 ? &all->file[0] : NULL;
 	for (size_t i = 0; i < all->n && found == NULL; i++) {
-		const char *at = strrchr(all->file[i].word, '@');
+		const char *at = call_path_at_sign(all->file[i].word);
 		double v;
 		if (at != NULL && text_parse_number(at + 1, &v) &&
 		    fabs(v - speed) < 1e-3)

@@ -63,6 +63,10 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 			: origin_of_params_text(entry),
 		    tr(site_data_kind(entry->site->provenance)));
 	}
+	answer_add_rows_as_json_objects(r, "rows");
+	if (s->n_entry > 0)
+		fields_put_values(answer_json_fields(r), "in_use %s",
+		    session_current_site_entry(s)->key);
 	answer_note(r, s->n_entry > 0
 			   ? N_("* is the site in use")
 			   : N_("no site is loaded: run 'load FILE', or "
@@ -183,6 +187,11 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 		bool kept = file_exists(path) && !args->replace &&
 			    file_check_csv_name(path, error);
 		bool ok = files_write_site(s, args, site, path, error);
+		if (ok && s->n_entry > 1)
+			session_print_note(s,
+			    "this is the site in use; write FOLDER, one that "
+			    "exists, writes all %zu",
+			    s->n_entry);
 		return ok || (kept && error->kind == ERROR_USAGE &&
 				 error_set_hint(error,
 				     "use replace=on to overwrite it; write "

@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/fit.h"
 #include "cmd/sheets/check.h"
+#include "cmd/session/call_paths.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/sheets/ask_user.h"
@@ -43,11 +44,10 @@ static bool
 split_file_and_speed(
     const char *word, char **path, double *speed, struct error *error)
 {
-	const char *at = strrchr(word, '@');
+	const char *at = call_path_at_sign(word);
 	*speed = 0;
 	*path = xstrdup(word);
-	if (at == NULL || at == word || access(word, F_OK) == 0 ||
-	    (strchr(at, '/') != NULL && !text_ends_with(at, "m/s")))
+	if (at == NULL)
 		return true;
 	struct head head = heading_parse(at);
 	char **copy = path;

@@ -81,6 +81,8 @@ add_words_from_heading_above(
 		said->unit =
 		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
 	}
+	if (own && said->rpm == 0)
+		said->rpm = more->rpm;
 	if (said->n_number == 0) {
 		said->spread = said->spread || (!own && more->n_number > 0);
 		said->n_number = more->n_number;
@@ -141,11 +143,13 @@ apply_label_of_heading_row(const struct cell *label, struct head *head)
 	}
 }
 
-/* Combines all headings of a column, from the lowest up. */
+/* Combines all headings of a column, from the lowest up.  Of rpm beside m/s,
+ * only those of the rotor count. */
 static struct head
 combine_column_headings(const struct table *t, size_t c)
 {
 	struct head said = {0};
+	bool other = false;
 	for (size_t r = t->n_head; r-- > 0;) {
 		bool own;
 		const struct cell *cell = find_heading_cell(t, r, c, &own);
@@ -155,6 +159,9 @@ combine_column_headings(const struct table *t, size_t c)
 		bool anchor = r == t->titles;
 		if (!anchor && t->head[r].cell[0].text[0] != '\0')
 			apply_label_of_heading_row(&t->head[r].cell[0], &one);
+		struct head label = heading_parse(t->head[r].cell[0].text);
+		other = other || (!anchor && one.rpm > 0 &&
+				     heading_is_of_other_part(&label));
 		add_words_from_heading_above(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" from a long table, or "tip speed (m/s) 69" in one cell. */
@@ -163,6 +170,8 @@ combine_column_headings(const struct table *t, size_t c)
 		use_heading_number_as_speed(&said, said.unit);
 	else if (number && (said.means & WORD_RPM) != 0 && said.number[0] > 200)
 		use_heading_number_as_speed(&said, SPEED_RPM);
+	if (other && said.speed > 0)
+		said.rpm = 0;
 	return said;
 }
 
@@ -976,7 +985,8 @@ distinctive_words_of_sample(const struct column *c)
 	char *words = xstrdup("");
 	for (char *p = folded; *p != '\0';) {
 		size_t n = strcspn(p, " ,;()[]@\n");
-		FREED char *word = xstrndup(p, n);
+		bool dot = n > 1 && p[n - 1] == '.'; /* "Tue." */
+		FREED char *word = xstrndup(p, n - dot);
 		bool range = strchr(word, '/') != NULL &&
 			     strspn(word, "0123456789/.") == n && n > 2;
 		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&

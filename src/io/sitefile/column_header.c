@@ -81,6 +81,14 @@ heading_speed_unit(const struct head *head)
 	return turns ? SPEED_RPM : head->unit;
 }
 
+bool
+heading_is_of_other_part(const struct head *head)
+{
+	return (head->means & WORD_ROTOR) == 0 &&
+	       (head->unknown > 0 ||
+		   (head->means & (WORD_SIZE | WORD_FEED)) != 0);
+}
+
 double
 speed_in_unit_to_mps(double number, enum speed_unit unit, double rotor)
 {

@@ -47,6 +47,10 @@ bool heading_has_speed(const struct head *head);
  * SPEED_NO_UNIT. */
 enum speed_unit heading_speed_unit(const struct head *head);
 
+/* True if the rpm under such a heading are those of a motor, a screen or a
+ * feeder rather than of the rotor, if the m/s are known. */
+bool heading_is_of_other_part(const struct head *head);
+
 /* Returns the text without speeds and their units, folded by
  * text_fold_case_and_accents.  The caller frees it. */
 char *heading_without_speeds(const char *text);

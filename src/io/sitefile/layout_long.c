@@ -204,6 +204,17 @@ sort_samples_by_number(struct longer *l)
 		l->entry[l->sample[i]].column = 1 + i * l->n_value;
 }
 
+/* True if a column has rpm of a motor or the like, beside one of m/s. */
+static bool
+has_rpm_of_other_part(const struct longer *l, size_t c)
+{
+	size_t k = 1;
+	while (k < l->table->n_col && l->head[k].unit != SPEED_MPS)
+		k++;
+	return k < l->table->n_col && heading_is_of_other_part(&l->head[c]) &&
+	       heading_speed_unit(&l->head[c]) == SPEED_RPM;
+}
+
 /* Returns the heading of a column of the wide table: "Product 69 m/s Passing
  * %".  lead: the first row of its sample; value: the column of its numbers in
  * the long table. */
@@ -221,7 +232,8 @@ wide_table_heading(const struct longer *l, size_t lead, size_t value)
 	for (size_t c = 1; c < t->n_col; c++) {
 		struct cell cell = t->row[lead].cell[c];
 		double v;
-		if (l->use[c] != KEY || cell.value == AS_ABSENT)
+		if (l->use[c] != KEY || cell.value == AS_ABSENT ||
+		    has_rpm_of_other_part(l, c))
 			continue;
 		bool number = number_value_of_cell(cell, &v);
 		enum speed_unit unit = heading_speed_unit(&l->head[c]);

@@ -298,6 +298,11 @@ set_site_field(struct site *site, struct sheet *sheet, enum lexicon_key k,
 {
 	const char *known[N_KEY] = {
 	    site->name, site->rock, site->machine, site->provenance};
+	double mm;
+	bool same = k == KEY_TOP_SIZE
+			? number_value_of_cell(value, &mm) &&
+			      mm / 1000 == site->top_size
+			: text_is_same_folded(known[k], value.text);
 	if (third != NULL)
 		sheet_report_expected(sheet, *third,
 		    "the end of the line after key and value",
@@ -305,8 +310,7 @@ set_site_field(struct site *site, struct sheet *sheet, enum lexicon_key k,
 		    "with #, or put names of single products directly above "
 		    "the headings; with decimal commas, separate the cells "
 		    "with ;");
-	else if (*seen > 0 && (known[k] == NULL ||
-				  !text_is_same_folded(known[k], value.text)))
+	else if (*seen > 0 && !same)
 		sheet_report_fault(sheet, key,
 		    "duplicate key: %s is already in line %d\n"
 		    "remove one of the two lines",

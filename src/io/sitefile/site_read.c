@@ -55,6 +55,14 @@ struct reading {
 	bool lost, other_site;
 };
 
+/* Returns the rotor's diameter, m, or 0: the sheet's or, for cuts, that of
+ * their site. */
+static double
+rotor_of_reading(const struct reading *r)
+{
+	return r->site->rotor > 0 ? r->site->rotor : r->request->site_rotor;
+}
+
 /* Reports that there is no table.  Without one, nothing else can be checked. */
 static void
 report_missing_table(struct sheet *sheet)
@@ -277,22 +285,31 @@ set_or_ask_top_size(struct reading *r, struct site_ask *ask)
 }
 
 /* Reports a sample whose speeds in m/s and in rpm belong to another rotor than
- * those of `first`, by more than what is rounded off; returns the first sample
- * that states both. */
+ * the one stated, or than those of `first`, by more than what is rounded off;
+ * returns the first sample that states both. */
 static const struct column *
-check_rpm_agree_with_speed(const struct column *c, const struct column *first)
+check_rpm_agree_with_speed(
+    const struct column *c, const struct column *first, double rotor)
 {
 	const double ROUNDED_OFF = 0.05;
 	const struct head *a = first != NULL ? &first->said : &c->said;
-	if (!(c->said.speed > 0) || !(c->said.rpm > 0))
+	double v = c->said.speed, rpm = c->said.rpm;
+	if (!(v > 0) || !(rpm > 0))
 		return first;
-	double ratio = c->said.speed / c->said.rpm * a->rpm / a->speed;
-	if (fabs(ratio - 1) > ROUNDED_OFF)
+	double own = rotor_speed_from_rpm(rpm, rotor);
+	if (fabs(v / rpm * a->rpm / a->speed - 1) > ROUNDED_OFF)
 		sheet_report_fault(c->table->sheet, c->head,
 		    "expected m/s and rpm of one rotor, got %g m/s at %g rpm "
 		    "and %g m/s at %g rpm\n"
 		    "correct the wrong number, or leave out the rpm",
-		    a->speed, a->rpm, c->said.speed, c->said.rpm);
+		    a->speed, a->rpm, v, rpm);
+	else if (first == NULL && own > 0 && fabs(v / own - 1) > ROUNDED_OFF)
+		sheet_report_fault(c->table->sheet, c->head,
+		    "expected m/s and rpm of the rotor of %g mm, which has %g "
+		    "m/s at %g rpm, got %g m/s\n"
+		    "correct the wrong number, or leave out the rpm or the "
+		    "rotor",
+		    1000 * rotor, own, rpm, v);
 	return first != NULL ? first : c;
 }
 
@@ -304,7 +321,8 @@ read_and_check_sheet_columns(struct reading *r)
 	for (size_t i = 0; i < all->n && !error_is_stop_requested(r->errors);
 	     i++) {
 		struct column *c = &all->column[i];
-		first = check_rpm_agree_with_speed(c, first);
+		first =
+		    check_rpm_agree_with_speed(c, first, rotor_of_reading(r));
 		site_column_read_values(c);
 		r->lost = r->lost || c->table->lost;
 	}
@@ -758,14 +776,6 @@ check_speed_given_for_file(const struct columns *all, size_t i, double given)
 		    c->speed);
 		return;
 	}
-}
-
-/* Returns the rotor's diameter, m, or 0: the sheet's or, for cuts, that of
- * their site. */
-static double
-rotor_of_reading(const struct reading *r)
-{
-	return r->site->rotor > 0 ? r->site->rotor : r->request->site_rotor;
 }
 
 /* Returns the speed given for a file, m/s, or 0. */

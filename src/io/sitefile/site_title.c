@@ -35,12 +35,13 @@ is_value_of_sample_key(const struct row *row, size_t c)
 }
 
 /* True if cell c of a line may be a title: it is the only one, or the line is a
- * key for a sample and its value. */
+ * key for a sample and its value.  It stops at a third one, as lines can have
+ * thousands. */
 static bool
 can_be_title_cell(const struct row *row, size_t c)
 {
-	size_t filled = 0;
-	for (size_t i = 0; i < row->n; i++)
+	size_t filled = 0, end = row->cell[c].text[0] != '\0' ? row->n : 0;
+	for (size_t i = 0; i < end && filled <= 2; i++)
 		filled += (size_t)(row->cell[i].text[0] != '\0');
 	return filled == 1 || (filled == 2 && is_value_of_sample_key(row, c));
 }
@@ -98,10 +99,9 @@ static void
 append_cell_to_table_title(
     struct table *t, const struct row *row, size_t c, const struct head *title)
 {
-	const char *text = row->cell[c].text;
-	if (!can_be_title_cell(row, c) || text[0] == '\0')
+	if (!can_be_title_cell(row, c))
 		return;
-	xappend_to_list(&t->title, "\n", "%s", text);
+	xappend_to_list(&t->title, "\n", "%s", row->cell[c].text);
 	t->strange =
 	    t->strange || title->unknown > 0 ||
 	    (title->means & (WORD_LIMIT | WORD_MEAN | WORD_MACHINE)) != 0;

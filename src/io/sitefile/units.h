@@ -27,15 +27,16 @@ units_fraction_to_pct(double passing)
 	return isfinite(passing) ? round(passing * 1e14) / 1e12 : passing;
 }
 
-/* Returns the number of decimals to show a speed in m/s with: two if the speed
- * has exactly two, else one. */
+/* Returns the number of decimals to show a speed in m/s with: those that it
+ * has, up to the four that are kept of a sheet's, else one. */
 static inline int
 units_speed_decimals(double v)
 {
-	double tenths = 10 * v, hundredths = 100 * v;
-	bool two = fabs(hundredths - round(hundredths)) < 1e-6 &&
-		   fabs(tenths - round(tenths)) > 1e-6;
-	return two ? 2 : 1;
+	double ten = v;
+	for (int n = 0; n <= 4; n++, ten *= 10)
+		if (fabs(ten - round(ten)) < 1e-6)
+			return n > 1 ? n : 1;
+	return 1;
 }
 
 #endif
