@@ -515,6 +515,8 @@ text_read_line(char **text, size_t *n, size_t *room, FILE *in)
 			*text = xrealloc(*text, *room, 1);
 		}
 		(*text)[*n] = (char)c;
+		bool alone = c == '\r' && ungetc(getc(in), in) != '\n';
+		c = alone ? '\n' : c;
 	}
 	if (*n == from || ferror(in))
 		return TEXT_END;

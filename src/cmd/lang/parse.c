@@ -375,6 +375,22 @@ words_split_line(const char *line, size_t from, struct place place,
 	return true;
 }
 
+bool
+words_end_in_comment(const char *line)
+{
+	bool ok = true;
+	size_t i = skip_blanks(line, 0);
+	while (ok && line[i] != '\0' && line[i] != '#' && line[i] != '|') {
+		FREED char *word = NULL;
+		if (line[i] == ';' || line[i] == '>')
+			i++;
+		else
+			ok = parse_word_of_line(line, &i, false, &word);
+		i = skip_blanks(line, i);
+	}
+	return ok && line[i] == '#';
+}
+
 void
 words_free(struct words *words)
 {
