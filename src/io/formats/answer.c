@@ -666,14 +666,19 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 		for (size_t c = 0; c < t->n_column; c++) {
 			const struct answer_cell *cell =
 			    &t->cell[row * t->n_column + c];
+			double number = cell->number;
+			bool is_text =
+			    cell->is_text &&
+			    !(semicolon && strcmp(t->key[c], "value") == 0 &&
+				strchr(cell->text, '.') != NULL &&
+				text_parse_number(cell->text, &number));
 			fputc(separator, out);
-			if (cell->is_text)
+			if (is_text)
 				text_write_csv_cell(
 				    cell->key != NULL ? cell->key : cell->text,
 				    separator, out);
-			else if (isfinite(cell->number))
-				text_write_csv_number(
-				    cell->number, separator, out);
+			else if (isfinite(number))
+				text_write_csv_number(number, separator, out);
 		}
 		print_csv_repeated_fields(a, false, separator, out);
 		if (told) {
