@@ -666,6 +666,7 @@ value_parse(const struct command_option *option, const char *word,
 		return parse_list_of_numbers(option, word, value, error);
 	case VALUE_WHOLE:
 		if (text_parse_whole_number(word, &value->whole) &&
+		    value->whole <= INT64_MAX &&
 		    (double)value->whole >= option->least &&
 		    (double)value->whole <= option->most)
 			return true;
