@@ -753,6 +753,27 @@ parse_option_value(
 	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
+/* Returns false with an error for an operand such as "p80", or "P80=5.5" as in
+ * a table's heading. */
+static bool
+check_operand_is_no_option(
+    const struct command *command, const char *word, struct error *error)
+{
+	size_t n = strcspn(word, "=");
+	FREED char *cut = xstrndup(word, n),
+		   *name = text_fold_case_and_accents(cut);
+	size_t i = command_option_index(command, name);
+	if (i == OPTIONS)
+		return true;
+	if (word[n] == '=')
+		return error_set(error, ERROR_USAGE,
+		    "expected an option in lower case, got '%s'\n"
+		    "write %s%s",
+		    word, name, word + n);
+	error_option_without_value(command_option_at(command, i), error);
+	return error_set_hint(error, "write %s=VALUE", name);
+}
+
 /* Parses one word after the command's name: key=value, the value of the bare
  * option, or an operand. */
 static bool
@@ -778,7 +799,9 @@ parse_one_command_argument(
 		i = args->value[bare].given ? OPTIONS : bare;
 	}
 	if (i < OPTIONS)
-		return parse_option_value(i, word, args, error);
+		return (is_key || equals == NULL ||
+			   check_operand_is_no_option(command, word, error)) &&
+		       parse_option_value(i, word, args, error);
 	args->column[args->n_operand] = column;
 	args->operand[args->n_operand++] = word;
 	return true;
@@ -836,27 +859,6 @@ store_option_values_in_args(struct args *args, struct error *error)
 			store_option_value_in_args(o, value, args);
 	}
 	return ok;
-}
-
-/* Returns false with an error for an operand such as "p80", or "P80=5.5" as in
- * a table's heading. */
-static bool
-check_operand_is_no_option(
-    const struct command *command, const char *word, struct error *error)
-{
-	size_t n = strcspn(word, "=");
-	FREED char *cut = xstrndup(word, n),
-		   *name = text_fold_case_and_accents(cut);
-	size_t i = command_option_index(command, name);
-	if (i == OPTIONS)
-		return true;
-	if (word[n] == '=')
-		return error_set(error, ERROR_USAGE,
-		    "expected an option in lower case, got '%s'\n"
-		    "write %s%s",
-		    word, name, word + n);
-	error_option_without_value(command_option_at(command, i), error);
-	return error_set_hint(error, "write %s=VALUE", name);
 }
 
 /* Returns the word as it has to be typed: with a space it needs quotes. */
