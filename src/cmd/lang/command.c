@@ -281,6 +281,14 @@ command_option_index(const struct command *command, const char *name)
 	return OPTIONS;
 }
 
+bool
+command_takes_speeds(const struct command *command)
+{
+	const char *usage = command->operands.usage;
+	return usage != NULL && strstr(usage, "SPEED") != NULL &&
+	       (command->flags & COMMAND_FILES) == 0;
+}
+
 static const char *
 option_placeholder(const struct command_option *o)
 {

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -202,10 +203,10 @@ join_unit_to_number(struct words *words)
 			       : xstrdup(before != NULL ? before : "");
 	size_t i = command_option_index(command, name);
 	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
-			     : command->operands.most > 0 ? "m/s"
-							  : "";
-	bool turns = strcmp(unit, "rpm") == 0 && strcmp(wanted, "m/s") == 0;
-	if (wanted[0] == '\0' || (!turns && strcmp(wanted, unit) != 0) ||
+			     : command_takes_speeds(command) ? "m/s"
+							     : "";
+	bool turns = strcasecmp(unit, "rpm") == 0 && strcmp(wanted, "m/s") == 0;
+	if (wanted[0] == '\0' || (!turns && strcasecmp(wanted, unit) != 0) ||
 	    *number < '0' || *number > '9')
 		return;
 	FREED char *joined = xasprintf("%s%s", word, unit);
@@ -329,16 +330,6 @@ parse_and_add_word(const char *line, size_t *at, struct place place,
 	return true;
 }
 
-/* Adds the > or >= of a limit as a word. */
-static void
-add_limit_sign_as_word(const char *line, size_t *at, struct words *words)
-{
-	size_t n = line[*at + 1] == '=' ? 2 : 1, i = words->n++;
-	words->column[i] = column_of_offset(line, words, *at);
-	words->text[i] = xstrndup(line + *at, n);
-	*at += n;
-}
-
 bool
 words_split_line(const char *line, size_t from, struct place place,
     struct words *words, struct error *error)
@@ -357,13 +348,18 @@ words_split_line(const char *line, size_t from, struct place place,
 				(words->command->flags & COMMAND_VERBATIM) != 0;
 		bool sign = line[i] == '>' || line[i] == '|';
 		bool ok = true;
-		if (sign && is_limit_not_redirection(line, i, words))
-			add_limit_sign_as_word(line, &i, words);
-		else if (sign && !verbatim)
+		if (sign && is_limit_not_redirection(line, i, words)) {
+			size_t n = line[i + 1] == '=' ? 2 : 1;
+			words->column[words->n] =
+			    column_of_offset(line, words, i);
+			words->text[words->n++] = xstrndup(line + i, n);
+			i += n;
+		} else if (sign && !verbatim) {
 			ok = parse_redirection(line, &i, place, words, error);
-		else
+		} else {
 			ok = parse_and_add_word(
 			    line, &i, place, verbatim, words, error);
+		}
 		if (!ok)
 			return false;
 		end = words->to == TO_SCREEN ? i : end;
@@ -402,12 +398,13 @@ words_free(struct words *words)
 	words->n = 0;
 }
 
-/* Removes the unit at the end of a number: "74m/s", "11.2 mm". */
+/* Removes the unit at the end of a number: "74m/s", "11.2 mm", "74 M/S". */
 static void
 strip_unit(char *text, const char *unit)
 {
-	if (unit[0] != '\0' && text_ends_with(text, unit))
-		text[strlen(text) - strlen(unit)] = '\0';
+	size_t n = strlen(text), m = strlen(unit);
+	if (m > 0 && n > m && strcasecmp(text + n - m, unit) == 0)
+		text[n - m] = '\0';
 }
 
 bool
