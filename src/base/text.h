@@ -160,9 +160,9 @@ char *text_wrapped(const char *text, int width);
 int text_count_rows(const char *text, int width);
 
 /* Appends the next line of `in`, with its line end, and a NUL to *text, which
- * contains *n bytes and has room for *room.  A line ends in LF, CR LF or CR; the
- * last one of a file may lack its end.  TEXT_END: the file has ended, or cannot
- * be read (ferror).  TEXT_TOO_LONG: *text would exceed 10 MB. */
+ * contains *n bytes and has room for *room.  A line ends in LF, CR LF or CR;
+ * the last one of a file may lack its end.  TEXT_END: the file has ended, or
+ * cannot be read (ferror).  TEXT_TOO_LONG: *text would exceed 10 MB. */
 enum text_line { TEXT_LINE, TEXT_END, TEXT_TOO_LONG };
 enum text_line text_read_line(char **text, size_t *n, size_t *room, FILE *in);
 

@@ -110,9 +110,11 @@ parse_redirection_file(const char *line, size_t *at, struct place place,
 	words->to = append ? TO_APPEND : TO_FILE;
 	*at = skip_blanks(line, *at + (append ? 2 : 1));
 	int column = column_of_offset(line, words, *at);
+	bool stream = line[*at] == '&';
 	if (!parse_word_of_line(line, at, false, &words->target))
 		return error_unclosed_quote(place, column, error);
-	if (words->target[0] == '\0')
+	/* "2>&1" of a shell names no file. */
+	if (words->target[0] == '\0' || stream)
 		return error_set_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column,
 		    "expected a file name after %s\n"
@@ -597,6 +599,19 @@ parse_list_of_numbers(const struct command_option *option, const char *word,
 			    parse_and_append_number(option, part, value, error);
 			part = comma != NULL ? comma + 1 : NULL;
 		}
+	}
+	const char *comma = strchr(word, ',');
+	bool typed = comma != NULL && dots != NULL &&
+		     (comma - word < dots - text || strchr(word, ':') != NULL);
+	if (!ok && typed) {
+		strcpy(text, word);
+		for (char *c = text; *c != '\0'; c++)
+			*c = *c == ',' ? '.' : *c;
+		error_set_hint(error, "use a decimal point: %s", text);
+	} else if (!ok && error->hint[0] == '\0' &&
+		   strcmp(option->unit, "m/s") == 0) {
+		error_set_hint(
+		    error, "write a list, 65,74,85, or a range, 65..85:5");
 	}
 	if (ok && value->n > NUMBERS_MOST)
 		return error_set(error, ERROR_USAGE,
