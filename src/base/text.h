@@ -150,9 +150,9 @@ char *text_cut_to_width(const char *s, int columns);
  * plus those at the start of the text. */
 void text_print_wrapped(const char *text, int margin, int width, FILE *out);
 
-/* As text_print_wrapped, but the first line is indented by `first` spaces. */
+/* As text_print_wrapped, on a line of which `column` columns are printed. */
 void text_print_hanging(
-    const char *text, int first, int margin, int width, FILE *out);
+    const char *text, int column, int margin, int width, FILE *out);
 
 /* text_wrapped returns the lines of text_print_wrapped as one string, which the
  * caller frees; text_count_rows returns their number, 0 for an empty text. */

@@ -897,14 +897,7 @@ answer_print_row(const struct table *t, const struct form *f, size_t row,
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
 		if (indent > 0 && c + 1 == t->n_column) {
-			FREED char *lines = NULL;
-			size_t n = 0;
-			FILE *memory = text_open_memory(&lines, &n);
-			text_print_wrapped(text, indent, f->room, memory);
-			fclose(memory);
-			if (n > (size_t)indent)
-				fprintf(out, "%.*s", (int)n - indent - 1,
-				    lines + indent);
+			text_print_hanging(text, indent, indent, f->room, out);
 			return;
 		}
 		bool last = c + 1 == block.to && between[1] != '|';
@@ -927,7 +920,7 @@ print_trimmed_row(const struct table *t, const struct form *f, size_t row,
 	answer_print_row(
 	    t, f, row - 1, row == 0, block, f->gap == 1 ? " " : "  ", memory);
 	fclose(memory);
-	while (n > 0 && line[n - 1] == ' ')
+	while (n > 0 && (line[n - 1] == ' ' || line[n - 1] == '\n'))
 		n--;
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
