@@ -118,27 +118,24 @@ main_parse_option(
 }
 
 /* Returns the long options that may be meant by "--NAME" or "--NAME=VALUE":
- * those that begin with NAME, or else those spelled like it or with a choice of
- * this name.  The caller frees it. */
+ * those that begin with NAME, are spelled like it or have a choice of this
+ * name.  The caller frees it. */
 static char *
 list_options_like(const char *word)
 {
 	char *list = xstrdup("");
 	FREED char *name = xstrndup(word + 2, strcspn(word + 2, "="));
 	size_t i;
-	for (size_t far = 0; far <= 2 && list[0] == '\0'; far += 2)
-		for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0;
-		     o++) {
-			if (o->name == NULL || name[0] == '\0')
-				continue;
-			if (strncmp(o->name, name, strlen(name)) == 0 ||
-			    text_edit_distance(o->name, name) <= far)
-				xappend_to_list(&list, ", ", "--%s", o->name);
-			else if (far > 0 && o->choices != NULL &&
-				 text_find_word_in_list(o->choices, name, &i))
-				xappend_to_list(
-				    &list, ", ", "--%s=%s", o->name, name);
-		}
+	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++) {
+		if (o->name == NULL || name[0] == '\0')
+			continue;
+		if (strncmp(o->name, name, strlen(name)) == 0 ||
+		    text_edit_distance(o->name, name) <= 2)
+			xappend_to_list(&list, ", ", "--%s", o->name);
+		else if (o->choices != NULL &&
+			 text_find_word_in_list(o->choices, name, &i))
+			xappend_to_list(&list, ", ", "--%s=%s", o->name, name);
+	}
 	return list;
 }
 

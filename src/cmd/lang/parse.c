@@ -737,32 +737,24 @@ error_unknown_option(const struct command *command, const char *name,
 		    name, value);
 }
 
-/* Returns the index of an option; OPTIONS, with an error, if there is no such
- * option or it was given before. */
-static size_t
-find_option_refuse_repeated(const struct args *args, const char *name,
-    const char *value, struct error *error)
+/* Parses the value of an option, which was not given before. */
+static bool
+parse_named_option(
+    const char *name, const char *value, struct args *args, struct error *error)
 {
 	size_t i = command_option_index(args->command, name);
-	if (i == OPTIONS)
+	if (i == OPTIONS) {
 		error_unknown_option(args->command, name, value, error);
-	else if (args->value[i].given)
-		error_set(error, ERROR_USAGE,
+		return false;
+	}
+	if (args->value[i].given)
+		return error_set(error, ERROR_USAGE,
 		    "%s is given twice\n"
 		    "leave out one of the two",
 		    name);
-	else
-		return i;
-	return OPTIONS;
-}
-
-static bool
-parse_option_value(
-    size_t i, const char *word, struct args *args, struct error *error)
-{
 	args->value[i].given = true;
 	return value_parse(
-	    command_option_at(args->command, i), word, &args->value[i], error);
+	    command_option_at(args->command, i), value, &args->value[i], error);
 }
 
 /* Returns false with an error for an operand such as "p80", or "P80=5.5" as in
@@ -798,34 +790,21 @@ parse_one_command_argument(
 	bool is_key =
 	    key > 0 &&
 	    strspn(word, "abcdefghijklmnopqrstuvwxyz0123456789_") == key;
-	size_t i = OPTIONS;
 	if (is_key && command_option_at(command, 0) != NULL) {
 		FREED char *name = xstrndup(word, key);
-		i = find_option_refuse_repeated(args, name, equals + 1, error);
-		if (i == OPTIONS)
-			return false;
-		word = equals + 1;
-	} else if (command->bare != NULL &&
-		   (command->operands.most == 0 || value_is_speed(word))) {
-		size_t bare = command_option_index(command, command->bare);
-		i = args->value[bare].given ? OPTIONS : bare;
+		return parse_named_option(name, equals + 1, args, error);
 	}
-	if (i < OPTIONS)
-		return (is_key || equals == NULL ||
+	size_t bare = command->bare != NULL
+			  ? command_option_index(command, command->bare)
+			  : OPTIONS;
+	if (bare < OPTIONS && !args->value[bare].given &&
+	    (command->operands.most == 0 || value_is_speed(word)))
+		return (equals == NULL ||
 			   check_operand_is_no_option(command, word, error)) &&
-		       parse_option_value(i, word, args, error);
+		       parse_named_option(command->bare, word, args, error);
 	args->column[args->n_operand] = column;
 	args->operand[args->n_operand++] = word;
 	return true;
-}
-
-/* Parses "method classes", which means "method=classes". */
-static bool
-parse_option_as_two_words(
-    const char *name, const char *word, struct args *args, struct error *error)
-{
-	size_t i = find_option_refuse_repeated(args, name, word, error);
-	return i < OPTIONS && parse_option_value(i, word, args, error);
 }
 
 /* Stores a value in the member of args for its option, see rows.h. */
@@ -989,7 +968,7 @@ parse_command_arguments(const struct words *words, struct args *args,
 		size_t named =
 		    set && last ? command_option_index(command, word) : OPTIONS;
 		*column = words->column[i];
-		bool ok = pair ? parse_option_as_two_words(
+		bool ok = pair ? parse_named_option(
 				     word, words->text[i + 1], args, error)
 			  : named < OPTIONS
 			      ? error_option_without_value(
