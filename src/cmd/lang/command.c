@@ -315,8 +315,6 @@ option_placeholder(const struct command_option *o)
 char *
 command_usage_text(const struct command *command)
 {
-	if ((command->flags & COMMAND_SETTINGS) != 0)
-		return xstrdup(tr("set SETTING VALUE; 'set' lists them"));
 	char *usage = xstrdup(command_shown_name(command));
 	if (command->operands.usage != NULL)
 		xappend(&usage, " %s", command->operands.usage);

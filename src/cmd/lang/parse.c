@@ -708,6 +708,15 @@ is_set_by_other_command(const struct command *command, const char *name)
 		   command_option_index(command_find("set"), name) < OPTIONS);
 }
 
+/* Returns the usage in a few lines; that of `set` would be ten. */
+static char *
+usage_for_error(const struct command *command)
+{
+	return (command->flags & COMMAND_SETTINGS) != 0
+		   ? xstrdup(tr("set SETTING VALUE; 'set' lists them"))
+		   : command_usage_text(command);
+}
+
 /* value: that of the option. */
 static void
 error_unknown_option(const struct command *command, const char *name,
@@ -730,7 +739,7 @@ error_unknown_option(const struct command *command, const char *name,
 		error_set_hint(error, "did you mean '%s'?", o->name);
 		return;
 	}
-	FREED char *usage = command_usage_text(command);
+	FREED char *usage = usage_for_error(command);
 	error_set_hint(error, "usage: %s", usage);
 	if ((command->flags & COMMAND_FILES) != 0 && strchr(value, '.') != NULL)
 		error_set_hint(error, "for a file of that name write ./%s=%s",
@@ -882,7 +891,7 @@ check_number_of_operands(const struct args *args, struct error *error)
 		    "write a command for each: %s speed=%s; %s speed=%s",
 		    args->value[speed].text, more, command->name,
 		    args->value[speed].text, command->name, more);
-	FREED char *usage = command_usage_text(command);
+	FREED char *usage = usage_for_error(command);
 	FREED char *file = word_as_typed(more != NULL ? more : "");
 	error_set(error, ERROR_USAGE,
 	    more != NULL ? N_("%s: unexpected word '%s'\n"
