@@ -110,31 +110,12 @@ set_error_cannot_draw(
     const struct command *command, const char *target, struct error *error)
 {
 	size_t kind;
-	if (text_find_word_in_list(
-		command_find("plot")->operands.expect[0], command->name, &kind))
-		return error_set(error, ERROR_USAGE,
-		    "%s cannot make an image: %s\nuse plot %s > %s",
-		    command->name, target, command->name, target);
-	return error_set(error, ERROR_USAGE,
+	error_set(error, ERROR_USAGE,
 	    "%s cannot make an image: %s\nuse predict or plot KIND",
 	    command->name, target);
-}
-
-/* Sets the error for a kind of file to which nothing can be appended.  Returns
- * false. */
-static bool
-set_error_cannot_append(
-    enum output_kind kind, const char *target, struct error *error)
-{
-	if (kind == OUTPUT_PICTURE)
-		return error_set(error, ERROR_USAGE,
-		    "an image cannot be appended to %s\n"
-		    "use > instead of >>",
-		    target);
-	return error_set(error, ERROR_USAGE,
-	    "results cannot be appended to a %s (%s)\n"
-	    "use > with a file for each command, or >> FILE.csv",
-	    kind == OUTPUT_BOOK ? tr("workbook") : tr("document"), target);
+	return text_find_word_in_list(command_find("plot")->operands.expect[0],
+		   command->name, &kind) &&
+	       error_set_hint(error, "use plot %s > %s", command->name, target);
 }
 
 bool
@@ -157,7 +138,10 @@ redirect_is_allowed(const struct command *command, const struct words *words,
 	if (image && kind == OUTPUT_ANSWERS)
 		return set_error_cannot_draw(command, target, error);
 	return words->to != TO_APPEND || kind == OUTPUT_ANSWERS ||
-	       set_error_cannot_append(kind, target, error);
+	       error_set(error, ERROR_USAGE,
+		   "results cannot be appended to this kind of file (%s)\n"
+		   "use > with a file for each command, or >> FILE.csv",
+		   target);
 }
 
 struct redirect {
