@@ -117,6 +117,28 @@ main_parse_option(
 	}
 }
 
+/* Returns the long options that may be meant by "--NAME" or "--NAME=VALUE":
+ * those that begin with NAME, are spelled like it or have a choice of this
+ * name.  The caller frees it. */
+static char *
+list_options_like(const char *word)
+{
+	char *list = xstrdup("");
+	FREED char *name = xstrndup(word + 2, strcspn(word + 2, "="));
+	size_t i;
+	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++) {
+		if (o->name == NULL || name[0] == '\0')
+			continue;
+		if (strncmp(o->name, name, strlen(name)) == 0 ||
+		    text_edit_distance(o->name, name) <= 2)
+			xappend_to_list(&list, ", ", "--%s", o->name);
+		else if (o->choices != NULL &&
+			 text_find_word_in_list(o->choices, name, &i))
+			xappend_to_list(&list, ", ", "--%s=%s", o->name, name);
+	}
+	return list;
+}
+
 /* Sets the error here because getopt would print the word as it is, unescaped.
  * word: the argument read last.  If a letter inside it is unknown, only that
  * letter is named. */
@@ -127,10 +149,17 @@ set_program_option_error(
 	char letter[3] = {'-', (char)optopt, '\0'};
 	bool alone = optopt > 0 && optopt < 256 && option == '?' &&
 		     strchr(letters, optopt) == NULL;
-	return error_set(error, ERROR_USAGE,
+	FREED char *like = list_options_like(
+	    option == '?' && strncmp(word, "--", 2) == 0 ? word : "--");
+	error_set(error, ERROR_USAGE,
 	    option == ':' ? N_("expected a value after '%s', got none\n%s")
 			  : N_("unrecognized option '%s'\n%s"),
 	    alone ? letter : word, tr("run tipspeed --help for the options"));
+	return like[0] != '\0' &&
+	       error_set_hint(error,
+		   strchr(like, ',') != NULL ? N_("did you mean one of %s?")
+					     : N_("did you mean '%s'?"),
+		   like);
 }
 
 static bool
@@ -165,6 +194,20 @@ parse_command_line(
 	return true;
 }
 
+/* Adds a hint if one of the FILEs that cannot be read is a command. */
+static void
+hint_command_among_files(char *const *path, size_t n, struct error *error)
+{
+	size_t i = 0;
+	while (i < n && command_find(path[i]) == NULL)
+		i++;
+	FREED char *line = xstrdup("");
+	for (size_t j = i; j < n; j++)
+		xappend_to_list(&line, " ", "%s", path[j]);
+	if (i < n && error->kind == ERROR_SYSTEM)
+		error_set_hint(error, "put commands after -c: -c '%s'", line);
+}
+
 /* Opens the FILEs: site files, or scripts if their names end in .tip.  Site
  * files that follow each other are loaded together, because they may be of one
  * site.  stays: somebody sits at a prompt, and can load a refused sheet anew,
@@ -181,10 +224,7 @@ load_or_run_files(struct session *s, char *const *path, size_t n, bool stays)
 			status = batch_run_script_file(s, path[k++]);
 		} else if (!load_files(s, k - i, (const char *const *)path + i,
 			       NULL, &error)) {
-			if (error.kind == ERROR_SYSTEM &&
-			    command_find(path[i]) != NULL)
-				error_set_hint(&error,
-				    "put commands after -c: -c '%s'", path[i]);
+			hint_command_among_files(path + i, n - i, &error);
 			error_print(&error, stderr);
 			status = stays ? 0 : (int)error.kind;
 		}

@@ -125,8 +125,9 @@ print_and_free_error_line(char *line, bool wrap, int margin, FILE *out)
 		text_print_escaped(line, out);
 		fputc('\n', out);
 	} else {
-		text_print_hanging(
-		    line, (int)strspn(line, " "), margin, SCREEN, out);
+		int blanks = (int)strspn(line, " ");
+		fprintf(out, "%*s", blanks, "");
+		text_print_hanging(line, blanks, margin, SCREEN, out);
 	}
 	free(line);
 }

@@ -515,6 +515,8 @@ text_read_line(char **text, size_t *n, size_t *room, FILE *in)
 			*text = xrealloc(*text, *room, 1);
 		}
 		(*text)[*n] = (char)c;
+		bool alone = c == '\r' && ungetc(getc(in), in) != '\n';
+		c = alone ? '\n' : c;
 	}
 	if (*n == from || ferror(in))
 		return TEXT_END;
@@ -641,25 +643,19 @@ text_cut_to_width(const char *s, int columns)
 
 void
 text_print_hanging(
-    const char *text, int first, int margin, int width, FILE *out)
+    const char *text, int column, int margin, int width, FILE *out)
 {
-	int column = 0;
 	FREED char *copy = text_with_control_escaped(text);
-	char *save = NULL;
-	for (char *word = strtok_r(copy, " ", &save); word != NULL;
-	     word = strtok_r(NULL, " ", &save)) {
-		int wide = text_width_in_columns(word);
-		if (column > 0 && column + 1 + wide > width) {
-			fputc('\n', out);
-			column = 0;
-			first = margin;
-		}
-		if (column == 0)
-			column = fprintf(out, "%*s", first, "");
-		else
-			column += fprintf(out, " ");
+	char *save = NULL, *word = strtok_r(copy, " ", &save);
+	while (word != NULL) {
 		fputs(word, out);
-		column += wide;
+		column += text_width_in_columns(word);
+		word = strtok_r(NULL, " ", &save);
+		if (word == NULL)
+			break;
+		bool fits = column + 1 + text_width_in_columns(word) <= width;
+		fprintf(out, "%s%*s", fits ? "" : "\n", fits ? 1 : margin, "");
+		column = fits ? column + 1 : margin;
 	}
 	fputc('\n', out);
 }
@@ -667,7 +663,9 @@ text_print_hanging(
 void
 text_print_wrapped(const char *text, int margin, int width, FILE *out)
 {
-	margin += (int)strspn(text, " ");
+	int blanks = (int)strspn(text, " ");
+	margin += blanks;
+	fprintf(out, "%*s", text[blanks] != '\0' ? margin : 0, "");
 	text_print_hanging(text, margin, margin, width, out);
 }
 

@@ -150,9 +150,9 @@ char *text_cut_to_width(const char *s, int columns);
  * plus those at the start of the text. */
 void text_print_wrapped(const char *text, int margin, int width, FILE *out);
 
-/* As text_print_wrapped, but the first line is indented by `first` spaces. */
+/* As text_print_wrapped, on a line of which `column` columns are printed. */
 void text_print_hanging(
-    const char *text, int first, int margin, int width, FILE *out);
+    const char *text, int column, int margin, int width, FILE *out);
 
 /* text_wrapped returns the lines of text_print_wrapped as one string, which the
  * caller frees; text_count_rows returns their number, 0 for an empty text. */
@@ -160,9 +160,9 @@ char *text_wrapped(const char *text, int width);
 int text_count_rows(const char *text, int width);
 
 /* Appends the next line of `in`, with its line end, and a NUL to *text, which
- * contains *n bytes and has room for *room.  The last line of a file may lack a
- * line end.  TEXT_END: the file has ended, or cannot be read (ferror).
- * TEXT_TOO_LONG: *text would exceed 10 MB. */
+ * contains *n bytes and has room for *room.  A line ends in LF, CR LF or CR;
+ * the last one of a file may lack its end.  TEXT_END: the file has ended, or
+ * cannot be read (ferror).  TEXT_TOO_LONG: *text would exceed 10 MB. */
 enum text_line { TEXT_LINE, TEXT_END, TEXT_TOO_LONG };
 enum text_line text_read_line(char **text, size_t *n, size_t *room, FILE *in);
 

@@ -108,7 +108,7 @@ const struct command TABLE_MODEL[] = {
 	.brief = "seed of calibrations",
 	.flags = COMMAND_CHANGES | COMMAND_APPEARANCE,
 	.bare = "seed",
-	.option = OPTION_LIST({WHOLE(seed), "", 0, 9223372036854774784.0, NULL,
+	.option = OPTION_LIST({WHOLE(seed), "", 0, 9223372036854775807.0, NULL,
 	    "", "seed of calibrations"}),
 	.text = "The same seed gives the same result to the last bit, with "
 		"any number of threads.",

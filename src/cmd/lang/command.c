@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -154,7 +153,7 @@ command_names_beginning_with(const char *name)
 }
 
 const char *
-command_nearest_name(const char *name)
+command_nearest_name(const char *typed)
 {
 	/* Names from other programs. */
 	static const char *const OTHERS[][2] = {{"close", "drop"},
@@ -164,9 +163,10 @@ command_nearest_name(const char *name)
 	    {"run", "calibrate"}, {"speed", "predict"}, {"store", "store list"},
 	    {"unload", "drop"}};
 	const char *nearest = NULL;
+	FREED char *name = text_fold_case_and_accents(typed);
 	size_t least = 3; /* more edits than this is another word */
 	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)
-		if (strcasecmp(OTHERS[i][0], name) == 0)
+		if (strcmp(OTHERS[i][0], name) == 0)
 			return OTHERS[i][1];
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		size_t d = text_edit_distance(c->name, name);
@@ -279,6 +279,14 @@ command_option_index(const struct command *command, const char *name)
 		if (strcmp(o->name, name) == 0)
 			return i;
 	return OPTIONS;
+}
+
+bool
+command_takes_speeds(const struct command *command)
+{
+	const char *usage = command->operands.usage;
+	return usage != NULL && strstr(usage, "SPEED") != NULL &&
+	       (command->flags & COMMAND_FILES) == 0;
 }
 
 static const char *

@@ -252,6 +252,9 @@ char *command_shared_option_names(const struct command *command);
 /* Returns the index of the option with that name, or OPTIONS. */
 size_t command_option_index(const struct command *command, const char *name);
 
+/* True if the operands of the command are speeds. */
+bool command_takes_speeds(const struct command *command);
+
 /* Returns the call with the command's own options as help shows it: "predict
  * [speed=V]".  The caller frees it. */
 char *command_usage_text(const struct command *command);

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -109,9 +110,11 @@ parse_redirection_file(const char *line, size_t *at, struct place place,
 	words->to = append ? TO_APPEND : TO_FILE;
 	*at = skip_blanks(line, *at + (append ? 2 : 1));
 	int column = column_of_offset(line, words, *at);
+	bool stream = line[*at] == '&';
 	if (!parse_word_of_line(line, at, false, &words->target))
 		return error_unclosed_quote(place, column, error);
-	if (words->target[0] == '\0')
+	/* "2>&1" of a shell names no file. */
+	if (words->target[0] == '\0' || stream)
 		return error_set_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column,
 		    "expected a file name after %s\n"
@@ -202,10 +205,10 @@ join_unit_to_number(struct words *words)
 			       : xstrdup(before != NULL ? before : "");
 	size_t i = command_option_index(command, name);
 	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
-			     : command->operands.most > 0 ? "m/s"
-							  : "";
-	bool turns = strcmp(unit, "rpm") == 0 && strcmp(wanted, "m/s") == 0;
-	if (wanted[0] == '\0' || (!turns && strcmp(wanted, unit) != 0) ||
+			     : command_takes_speeds(command) ? "m/s"
+							     : "";
+	bool turns = strcasecmp(unit, "rpm") == 0 && strcmp(wanted, "m/s") == 0;
+	if (wanted[0] == '\0' || (!turns && strcasecmp(wanted, unit) != 0) ||
 	    *number < '0' || *number > '9')
 		return;
 	FREED char *joined = xasprintf("%s%s", word, unit);
@@ -329,16 +332,6 @@ parse_and_add_word(const char *line, size_t *at, struct place place,
 	return true;
 }
 
-/* Adds the > or >= of a limit as a word. */
-static void
-add_limit_sign_as_word(const char *line, size_t *at, struct words *words)
-{
-	size_t n = line[*at + 1] == '=' ? 2 : 1, i = words->n++;
-	words->column[i] = column_of_offset(line, words, *at);
-	words->text[i] = xstrndup(line + *at, n);
-	*at += n;
-}
-
 bool
 words_split_line(const char *line, size_t from, struct place place,
     struct words *words, struct error *error)
@@ -357,13 +350,18 @@ words_split_line(const char *line, size_t from, struct place place,
 				(words->command->flags & COMMAND_VERBATIM) != 0;
 		bool sign = line[i] == '>' || line[i] == '|';
 		bool ok = true;
-		if (sign && is_limit_not_redirection(line, i, words))
-			add_limit_sign_as_word(line, &i, words);
-		else if (sign && !verbatim)
+		if (sign && is_limit_not_redirection(line, i, words)) {
+			size_t n = line[i + 1] == '=' ? 2 : 1;
+			words->column[words->n] =
+			    column_of_offset(line, words, i);
+			words->text[words->n++] = xstrndup(line + i, n);
+			i += n;
+		} else if (sign && !verbatim) {
 			ok = parse_redirection(line, &i, place, words, error);
-		else
+		} else {
 			ok = parse_and_add_word(
 			    line, &i, place, verbatim, words, error);
+		}
 		if (!ok)
 			return false;
 		end = words->to == TO_SCREEN ? i : end;
@@ -373,6 +371,22 @@ words_split_line(const char *line, size_t from, struct place place,
 	words->next = line[i] == ';' ? i + 1 : i + strlen(line + i);
 	column_of_offset(line, words, words->next);
 	return true;
+}
+
+bool
+words_end_in_comment(const char *line)
+{
+	bool ok = true;
+	size_t i = skip_blanks(line, 0);
+	while (ok && line[i] != '\0' && line[i] != '#' && line[i] != '|') {
+		FREED char *word = NULL;
+		if (line[i] == ';' || line[i] == '>')
+			i++;
+		else
+			ok = parse_word_of_line(line, &i, false, &word);
+		i = skip_blanks(line, i);
+	}
+	return ok && line[i] == '#';
 }
 
 void
@@ -386,12 +400,13 @@ words_free(struct words *words)
 	words->n = 0;
 }
 
-/* Removes the unit at the end of a number: "74m/s", "11.2 mm". */
+/* Removes the unit at the end of a number: "74m/s", "11.2 mm", "74 M/S". */
 static void
 strip_unit(char *text, const char *unit)
 {
-	if (unit[0] != '\0' && text_ends_with(text, unit))
-		text[strlen(text) - strlen(unit)] = '\0';
+	size_t n = strlen(text), m = strlen(unit);
+	if (m > 0 && n > m && strcasecmp(text + n - m, unit) == 0)
+		text[n - m] = '\0';
 }
 
 bool
@@ -585,6 +600,19 @@ parse_list_of_numbers(const struct command_option *option, const char *word,
 			part = comma != NULL ? comma + 1 : NULL;
 		}
 	}
+	const char *comma = strchr(word, ',');
+	bool typed = comma != NULL && dots != NULL &&
+		     (comma - word < dots - text || strchr(word, ':') != NULL);
+	if (!ok && typed) {
+		strcpy(text, word);
+		for (char *c = text; *c != '\0'; c++)
+			*c = *c == ',' ? '.' : *c;
+		error_set_hint(error, "use a decimal point: %s", text);
+	} else if (!ok && error->hint[0] == '\0' &&
+		   strcmp(option->unit, "m/s") == 0) {
+		error_set_hint(
+		    error, "write a list, 65,74,85, or a range, 65..85:5");
+	}
 	if (ok && value->n > NUMBERS_MOST)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected at most %d numbers, got %zu\n"
@@ -650,6 +678,7 @@ value_parse(const struct command_option *option, const char *word,
 		return parse_list_of_numbers(option, word, value, error);
 	case VALUE_WHOLE:
 		if (text_parse_whole_number(word, &value->whole) &&
+		    value->whole <= INT64_MAX &&
 		    (double)value->whole >= option->least &&
 		    (double)value->whole <= option->most)
 			return true;
@@ -679,6 +708,15 @@ is_set_by_other_command(const struct command *command, const char *name)
 		   command_option_index(command_find("set"), name) < OPTIONS);
 }
 
+/* Returns the usage in a few lines; that of `set` would be ten. */
+static char *
+usage_for_error(const struct command *command)
+{
+	return (command->flags & COMMAND_SETTINGS) != 0
+		   ? xstrdup(tr("set SETTING VALUE; 'set' lists them"))
+		   : command_usage_text(command);
+}
+
 /* value: that of the option. */
 static void
 error_unknown_option(const struct command *command, const char *name,
@@ -701,39 +739,52 @@ error_unknown_option(const struct command *command, const char *name,
 		error_set_hint(error, "did you mean '%s'?", o->name);
 		return;
 	}
-	FREED char *usage = command_usage_text(command);
+	FREED char *usage = usage_for_error(command);
 	error_set_hint(error, "usage: %s", usage);
 	if ((command->flags & COMMAND_FILES) != 0 && strchr(value, '.') != NULL)
 		error_set_hint(error, "for a file of that name write ./%s=%s",
 		    name, value);
 }
 
-/* Returns the index of an option; OPTIONS, with an error, if there is no such
- * option or it was given before. */
-static size_t
-find_option_refuse_repeated(const struct args *args, const char *name,
-    const char *value, struct error *error)
+/* Parses the value of an option, which was not given before. */
+static bool
+parse_named_option(
+    const char *name, const char *value, struct args *args, struct error *error)
 {
 	size_t i = command_option_index(args->command, name);
-	if (i == OPTIONS)
+	if (i == OPTIONS) {
 		error_unknown_option(args->command, name, value, error);
-	else if (args->value[i].given)
-		error_set(error, ERROR_USAGE,
+		return false;
+	}
+	if (args->value[i].given)
+		return error_set(error, ERROR_USAGE,
 		    "%s is given twice\n"
 		    "leave out one of the two",
 		    name);
-	else
-		return i;
-	return OPTIONS;
-}
-
-static bool
-parse_option_value(
-    size_t i, const char *word, struct args *args, struct error *error)
-{
 	args->value[i].given = true;
 	return value_parse(
-	    command_option_at(args->command, i), word, &args->value[i], error);
+	    command_option_at(args->command, i), value, &args->value[i], error);
+}
+
+/* Returns false with an error for an operand such as "p80", or "P80=5.5" as in
+ * a table's heading. */
+static bool
+check_operand_is_no_option(
+    const struct command *command, const char *word, struct error *error)
+{
+	size_t n = strcspn(word, "=");
+	FREED char *cut = xstrndup(word, n),
+		   *name = text_fold_case_and_accents(cut);
+	size_t i = command_option_index(command, name);
+	if (i == OPTIONS)
+		return true;
+	if (word[n] == '=')
+		return error_set(error, ERROR_USAGE,
+		    "expected an option in lower case, got '%s'\n"
+		    "write %s%s",
+		    word, name, word + n);
+	error_option_without_value(command_option_at(command, i), error);
+	return error_set_hint(error, "write %s=VALUE", name);
 }
 
 /* Parses one word after the command's name: key=value, the value of the bare
@@ -748,32 +799,21 @@ parse_one_command_argument(
 	bool is_key =
 	    key > 0 &&
 	    strspn(word, "abcdefghijklmnopqrstuvwxyz0123456789_") == key;
-	size_t i = OPTIONS;
 	if (is_key && command_option_at(command, 0) != NULL) {
 		FREED char *name = xstrndup(word, key);
-		i = find_option_refuse_repeated(args, name, equals + 1, error);
-		if (i == OPTIONS)
-			return false;
-		word = equals + 1;
-	} else if (command->bare != NULL &&
-		   (command->operands.most == 0 || value_is_speed(word))) {
-		size_t bare = command_option_index(command, command->bare);
-		i = args->value[bare].given ? OPTIONS : bare;
+		return parse_named_option(name, equals + 1, args, error);
 	}
-	if (i < OPTIONS)
-		return parse_option_value(i, word, args, error);
+	size_t bare = command->bare != NULL
+			  ? command_option_index(command, command->bare)
+			  : OPTIONS;
+	if (bare < OPTIONS && !args->value[bare].given &&
+	    (command->operands.most == 0 || value_is_speed(word)))
+		return (equals == NULL ||
+			   check_operand_is_no_option(command, word, error)) &&
+		       parse_named_option(command->bare, word, args, error);
 	args->column[args->n_operand] = column;
 	args->operand[args->n_operand++] = word;
 	return true;
-}
-
-/* Parses "method classes", which means "method=classes". */
-static bool
-parse_option_as_two_words(
-    const char *name, const char *word, struct args *args, struct error *error)
-{
-	size_t i = find_option_refuse_repeated(args, name, word, error);
-	return i < OPTIONS && parse_option_value(i, word, args, error);
 }
 
 /* Stores a value in the member of args for its option, see rows.h. */
@@ -821,27 +861,6 @@ store_option_values_in_args(struct args *args, struct error *error)
 	return ok;
 }
 
-/* Returns false with an error for an operand such as "p80", or "P80=5.5" as in
- * a table's heading. */
-static bool
-check_operand_is_no_option(
-    const struct command *command, const char *word, struct error *error)
-{
-	size_t n = strcspn(word, "=");
-	FREED char *cut = xstrndup(word, n),
-		   *name = text_fold_case_and_accents(cut);
-	size_t i = command_option_index(command, name);
-	if (i == OPTIONS)
-		return true;
-	if (word[n] == '=')
-		return error_set(error, ERROR_USAGE,
-		    "expected an option in lower case, got '%s'\n"
-		    "write %s%s",
-		    word, name, word + n);
-	error_option_without_value(command_option_at(command, i), error);
-	return error_set_hint(error, "write %s=VALUE", name);
-}
-
 /* Returns the word as it has to be typed: with a space it needs quotes. */
 static char *
 word_as_typed(const char *word)
@@ -872,7 +891,7 @@ check_number_of_operands(const struct args *args, struct error *error)
 		    "write a command for each: %s speed=%s; %s speed=%s",
 		    args->value[speed].text, more, command->name,
 		    args->value[speed].text, command->name, more);
-	FREED char *usage = command_usage_text(command);
+	FREED char *usage = usage_for_error(command);
 	FREED char *file = word_as_typed(more != NULL ? more : "");
 	error_set(error, ERROR_USAGE,
 	    more != NULL ? N_("%s: unexpected word '%s'\n"
@@ -958,7 +977,7 @@ parse_command_arguments(const struct words *words, struct args *args,
 		size_t named =
 		    set && last ? command_option_index(command, word) : OPTIONS;
 		*column = words->column[i];
-		bool ok = pair ? parse_option_as_two_words(
+		bool ok = pair ? parse_named_option(
 				     word, words->text[i + 1], args, error)
 			  : named < OPTIONS
 			      ? error_option_without_value(

@@ -53,6 +53,10 @@ bool words_split_line(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
 
+/* True if the line ends in a comment rather than in a command or in a shell
+ * command after |. */
+bool words_end_in_comment(const char *line);
+
 /* Replaces n words, from `first` on, by one word. */
 void words_replace_by_one(
     struct words *words, size_t first, size_t n, const char *text);

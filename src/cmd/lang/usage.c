@@ -102,14 +102,10 @@ print_word_with_meaning(
 {
 	enum { NARROW = 50, BELOW = 6 };
 	int pad = width < NARROW ? 0 : margin - 2 - text_width_in_columns(word);
-	bool beside = pad > 0;
-	FREED char *lines = NULL;
-	size_t n = 0;
-	FILE *memory = text_open_memory(&lines, &n);
-	text_print_wrapped(meaning, beside ? margin : BELOW, width, memory);
-	fclose(memory);
-	fprintf(out, "  %s%*s%s", word, beside ? pad : 0, beside ? "" : "\n",
-	    lines + (beside ? margin : 0));
+	int column = pad > 0 ? margin : BELOW;
+	fprintf(out, "  %s%s%*s", word, pad > 0 ? "" : "\n",
+	    pad > 0 ? pad : BELOW, "");
+	text_print_hanging(meaning, column, column, width, out);
 }
 
 void
@@ -156,11 +152,11 @@ print_option_help(const struct command_option *o, int width, FILE *out)
 void
 usage_print_example(const struct command *c, const char *margin, FILE *out)
 {
-	char *copy = xstrdup(c->example), *save = NULL;
-	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
-	     line = strtok_r(NULL, "\n", &save))
-		fprintf(out, "%s%s\n", margin, line);
-	free(copy);
+	for (const char *line = c->example; *line != '\0';) {
+		int n = (int)strcspn(line, "\n");
+		fprintf(out, "%s%.*s\n", margin, n, line);
+		line += n + (line[n] == '\n');
+	}
 }
 
 /* Prints the names of the command's shared options, which `help options`
@@ -202,6 +198,7 @@ usage_print_command_help(const struct command *c, int width, FILE *out)
 		xappend(&usage, " [%s]", c->bare);
 	if (o != NULL)
 		xappend(&usage, " %s", tr("[OPTION=VALUE...]"));
+	fputs("  ", out);
 	text_print_hanging(usage, 2, 6, width, out);
 	if (c->alias != NULL)
 		fprintf(out, tr("  also called %s\n"), command_other_name(c));

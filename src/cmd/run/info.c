@@ -157,8 +157,9 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 						       : NULL;
 	if (n > 2 || (n == 2 && command == NULL))
 		return error_set(error, ERROR_USAGE,
-		    "help: expected 'example' after the command, got '%s'",
-		    args->operand[n - 1]);
+		    "help: expected 'example' after the command, got '%s'\n"
+		    "write: help %s",
+		    args->operand[n - 1], name);
 	if (command != NULL && example)
 		usage_print_example(command, "", out);
 	else if (command != NULL)

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -16,15 +17,6 @@
 #include "core/psd/site.h"
 
 static const char RPM[] = "rpm", RPM_IS[] = "rpm=";
-
-/* True if the operands of the command are speeds. */
-static bool
-has_speed_operands(const struct command *command)
-{
-	const char *usage = command->operands.usage;
-	return usage != NULL && strstr(usage, "SPEED") != NULL &&
-	       (command->flags & COMMAND_FILES) == 0;
-}
 
 /* True if the word is "rpm=1500..1700:50", or "rpm=1500" for a command that has
  * speeds= and not rpm=, and therefore stands for speeds=. */
@@ -45,8 +37,8 @@ is_value_in_rpm(const char *value)
 	enum { MOST_RPM = 20000 };
 	double first = strtod(value, NULL);
 	return *value >= '0' && *value <= '9' &&
-	       value[strspn(value, "0123456789.,:rpm")] == '\0' &&
-	       (text_ends_with(value, RPM) ||
+	       value[strspn(value, "0123456789.,:rpmRPM")] == '\0' &&
+	       (strpbrk(value, "mM") != NULL ||
 		   (first > SITE_FASTEST && first <= MOST_RPM));
 }
 
@@ -70,7 +62,7 @@ find_typed_speed_in_rpm(const struct words *words, size_t i)
 	size_t at = command_option_index(of, name);
 	bool speed = at < OPTIONS
 			 ? strcmp(command_option_at(of, at)->unit, "m/s") == 0
-			 : bare && has_speed_operands(command);
+			 : bare && command_takes_speeds(command);
 	return speed && is_value_in_rpm(value) ? value : NULL;
 }
 
@@ -132,7 +124,7 @@ convert_rpm_text_to_mps(struct session *s, const char *turns, double diameter)
 		size_t n = strspn(turns, "0123456789");
 		if (n > 0 && turns[n] == '.' && turns[n + 1] != '.')
 			n += 1 + strspn(turns + n + 1, "0123456789");
-		if (n == 0 && strncmp(turns, RPM, strlen(RPM)) == 0) {
+		if (n == 0 && strncasecmp(turns, RPM, strlen(RPM)) == 0) {
 			turns += strlen(RPM);
 			continue;
 		}
@@ -146,16 +138,6 @@ convert_rpm_text_to_mps(struct session *s, const char *turns, double diameter)
 		turns += n > 0 ? n : 1;
 	}
 	return text;
-}
-
-/* Returns how many words have a value in rpm. */
-static size_t
-count_words_in_rpm(const struct words *words)
-{
-	size_t n = 0;
-	for (size_t i = 1; i < words->n; i++)
-		n += find_typed_speed_in_rpm(words, i) != NULL;
-	return n;
 }
 
 /* Returns the length of a speed in rpm at a place of a word whose other parts
@@ -177,7 +159,7 @@ length_of_rpm_within_word(
 	FREED char *number = xstrndup(at, n);
 	const char *end = at + n + strlen(RPM);
 	bool ends = n > 0 && text_parse_typed_number(number, &rpm) &&
-		    strncmp(at + n, RPM, strlen(RPM)) == 0 &&
+		    strncasecmp(at + n, RPM, strlen(RPM)) == 0 &&
 		    (file ? *end == '\0' : !isalnum((unsigned char)*end));
 	return ends ? n + strlen(RPM) : 0;
 }
@@ -233,7 +215,9 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 		return true;
 	bool needs_site = (command->flags & COMMAND_NEEDS_SITE) != 0;
 	convert_rpm_within_words_to_mps(needs_site ? s : NULL, words);
-	size_t n = count_words_in_rpm(words);
+	size_t n = 0;
+	for (size_t i = 1; i < words->n; i++)
+		n += find_typed_speed_in_rpm(words, i) != NULL;
 	double diameter = n > 0 ? rotor_diameter_m(s, words) : 0;
 	if (!(diameter > 0) && s->n_entry == 0)
 		return true;
@@ -248,7 +232,7 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 		bool number =
 		    strpbrk(turns, ",:") == NULL && strstr(turns, "..") == NULL;
 		bool option = n == 1 && bare && number &&
-			      !has_speed_operands(command) &&
+			      !command_takes_speeds(command) &&
 			      command_option_index(command, RPM) < OPTIONS;
 		if (!option && !(diameter > 0))
 			return error_rotor_unknown(s, words, place, i, error);
@@ -281,8 +265,8 @@ is_speed_or_range_or_list(const char *word, bool *list)
 	}
 	*list = commas > 1 || (commas > 0 && points > 0) || dots != NULL;
 	return n > 0 && isdigit((unsigned char)word[0]) &&
-	       (word[n] == '\0' || strcmp(word + n, RPM) == 0 ||
-		   strcmp(word + n, "m/s") == 0);
+	       (word[n] == '\0' || strcasecmp(word + n, RPM) == 0 ||
+		   strcasecmp(word + n, "m/s") == 0);
 }
 
 /* Returns the word as an item of a list, where commas separate numbers.  The
@@ -291,8 +275,8 @@ static char *
 format_speed_as_list_item(const char *word, bool list)
 {
 	size_t n = strlen(word);
-	if (text_ends_with(word, "m/s"))
-		n -= strlen("m/s");
+	if (n > 3 && strcasecmp(word + n - 3, "m/s") == 0)
+		n -= 3;
 	char *part = xstrndup(word, n);
 	for (char *c = part; *c != '\0' && !list; c++)
 		if (*c == ',')
@@ -396,7 +380,8 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	    lister != NULL && command_option_index(lister, "speeds") < OPTIONS;
 	bool one = command != NULL && command->bare != NULL &&
 		   strcmp(command->bare, "speed") == 0;
-	if (several || one || (command != NULL && has_speed_operands(command)))
+	if (several || one ||
+	    (command != NULL && command_takes_speeds(command)))
 		drop_words_between_speeds(
 		    words, several ? "and vs" : "and vs to");
 	if (!several) {

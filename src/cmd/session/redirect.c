@@ -62,21 +62,44 @@ find_output_format(const struct command *command, const struct words *words)
 	return o;
 }
 
-/* Sets the error for a workbook that we cannot write, with a line that works.
- * Returns false. */
+/* Kinds of files that people may want and that are not written, and what is
+ * written instead. */
+static const struct {
+	const char *instead, *ends;
+	bool appends;
+} UNWRITTEN[] = {{".csv", ".tsv", true}, {".json", ".jsonl", true},
+    {".xlsx", ".ods .xls .xlsb .xlsm", false},
+    {".html", ".htm .doc .docx .odt", false}, {".pdf", ".eps", false},
+    {".png", ".jpg .jpeg .gif .webp .tif .tiff", false}};
+
+/* Returns false with an error for a file of a kind that is not written, with a
+ * line that works. */
 static bool
-set_error_only_xlsx(const struct command *command, const struct words *words,
-    struct error *error)
+check_file_kind_is_written(const struct command *command,
+    const struct words *words, struct error *error)
 {
 	const char *target = words->target, *end = strrchr(target, '.');
+	FREED char *folded =
+	    text_fold_case_and_accents(end != NULL ? end : target);
+	size_t i = 0, which;
+	while (i < ARRAY_LEN(UNWRITTEN) &&
+	       !text_find_word_in_list(UNWRITTEN[i].ends, folded, &which))
+		i++;
+	if (end == NULL || i == ARRAY_LEN(UNWRITTEN))
+		return true;
+	const char *instead = UNWRITTEN[i].instead;
+	if (strcmp(instead, ".png") == 0 && !(command->flags & COMMAND_DRAWS))
+		instead = ".pdf";
 	FREED char *line = xstrdup(command->name);
-	for (size_t i = 1; i < words->n; i++)
-		journal_append_quoted_word(&line, words->text[i]);
-	FREED char *file = xasprintf("%.*s.xlsx", (int)(end - target), target);
-	xappend(&line, " >");
+	for (size_t j = 1; j < words->n; j++)
+		journal_append_quoted_word(&line, words->text[j]);
+	FREED char *file =
+	    xasprintf("%.*s%s", (int)(end - target), target, instead);
+	bool more = words->to == TO_APPEND && UNWRITTEN[i].appends;
+	xappend(&line, more ? " >>" : " >");
 	journal_append_quoted_word(&line, file);
 	return error_set(error, ERROR_USAGE,
-	    "cannot write %s workbooks, only .xlsx (%s)\nwrite: %s", end,
+	    "cannot write %s files, but %s (%s)\nwrite: %s", end, instead,
 	    target, line);
 }
 
@@ -87,47 +110,26 @@ set_error_cannot_draw(
     const struct command *command, const char *target, struct error *error)
 {
 	size_t kind;
-	if (text_find_word_in_list(
-		command_find("plot")->operands.expect[0], command->name, &kind))
-		return error_set(error, ERROR_USAGE,
-		    "%s cannot make an image: %s\nuse plot %s > %s",
-		    command->name, target, command->name, target);
-	return error_set(error, ERROR_USAGE,
+	error_set(error, ERROR_USAGE,
 	    "%s cannot make an image: %s\nuse predict or plot KIND",
 	    command->name, target);
-}
-
-/* Sets the error for a kind of file to which nothing can be appended.  Returns
- * false. */
-static bool
-set_error_cannot_append(
-    enum output_kind kind, const char *target, struct error *error)
-{
-	if (kind == OUTPUT_PICTURE)
-		return error_set(error, ERROR_USAGE,
-		    "an image cannot be appended to %s\n"
-		    "use > instead of >>",
-		    target);
-	return error_set(error, ERROR_USAGE,
-	    "results cannot be appended to a %s (%s)\n"
-	    "use > with a file for each command, or >> FILE.csv",
-	    kind == OUTPUT_BOOK ? tr("workbook") : tr("document"), target);
+	return text_find_word_in_list(command_find("plot")->operands.expect[0],
+		   command->name, &kind) &&
+	       error_set_hint(error, "use plot %s > %s", command->name, target);
 }
 
 bool
 redirect_is_allowed(const struct command *command, const struct words *words,
     struct error *error)
 {
-	static const char *const BOOKS[] = {".ods", ".xls", ".xlsb", ".xlsm"};
 	enum picture_form form;
 	const char *target = words->target;
 	if (words->to == TO_PIPE)
 		return true;
 	bool image = picture_format_of_file_name(target, &form);
 	enum output_kind kind = find_output_format(command, words)->kind;
-	if (text_file_ending(target, BOOKS, ARRAY_LEN(BOOKS)) <
-	    ARRAY_LEN(BOOKS))
-		return set_error_only_xlsx(command, words, error);
+	if (!check_file_kind_is_written(command, words, error))
+		return false;
 	if (image && !picture_can_draw_format(form))
 		return error_set(error, ERROR_USAGE,
 		    "this program draws %s, not %s\n> FILE.%s works",
@@ -136,7 +138,10 @@ redirect_is_allowed(const struct command *command, const struct words *words,
 	if (image && kind == OUTPUT_ANSWERS)
 		return set_error_cannot_draw(command, target, error);
 	return words->to != TO_APPEND || kind == OUTPUT_ANSWERS ||
-	       set_error_cannot_append(kind, target, error);
+	       error_set(error, ERROR_USAGE,
+		   "results cannot be appended to this kind of file (%s)\n"
+		   "use > with a file for each command, or >> FILE.csv",
+		   target);
 }
 
 struct redirect {

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
+#include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
 #include "io/cells/textfile.h"
 #include "io/fs/file.h"
@@ -117,7 +118,7 @@ bool
 script_line_continues(const char *line)
 {
 	size_t n = strcspn(line, "\r\n");
-	return n > 0 && line[n - 1] == '\\';
+	return n > 0 && line[n - 1] == '\\' && !words_end_in_comment(line);
 }
 
 void

@@ -44,7 +44,8 @@ void script_close_to_depth(struct session *s, size_t depth);
 bool script_set_error_long_line(
     const char *name, int line, struct error *error);
 
-/* True if the line ends in \, so that the next one continues it. */
+/* True if the line ends in \, so that the next one continues it.  A comment
+ * does not continue. */
 bool script_line_continues(const char *line);
 
 /* Removes the line break, and turns a \ before it into a space. */

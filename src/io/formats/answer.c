@@ -666,14 +666,19 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 		for (size_t c = 0; c < t->n_column; c++) {
 			const struct answer_cell *cell =
 			    &t->cell[row * t->n_column + c];
+			double number = cell->number;
+			bool is_text =
+			    cell->is_text &&
+			    !(semicolon && strcmp(t->key[c], "value") == 0 &&
+				strchr(cell->text, '.') != NULL &&
+				text_parse_number(cell->text, &number));
 			fputc(separator, out);
-			if (cell->is_text)
+			if (is_text)
 				text_write_csv_cell(
 				    cell->key != NULL ? cell->key : cell->text,
 				    separator, out);
-			else if (isfinite(cell->number))
-				text_write_csv_number(
-				    cell->number, separator, out);
+			else if (isfinite(number))
+				text_write_csv_number(number, separator, out);
 		}
 		print_csv_repeated_fields(a, false, separator, out);
 		if (told) {
@@ -892,14 +897,7 @@ answer_print_row(const struct table *t, const struct form *f, size_t row,
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
 		if (indent > 0 && c + 1 == t->n_column) {
-			FREED char *lines = NULL;
-			size_t n = 0;
-			FILE *memory = text_open_memory(&lines, &n);
-			text_print_wrapped(text, indent, f->room, memory);
-			fclose(memory);
-			if (n > (size_t)indent)
-				fprintf(out, "%.*s", (int)n - indent - 1,
-				    lines + indent);
+			text_print_hanging(text, indent, indent, f->room, out);
 			return;
 		}
 		bool last = c + 1 == block.to && between[1] != '|';
@@ -922,7 +920,7 @@ print_trimmed_row(const struct table *t, const struct form *f, size_t row,
 	answer_print_row(
 	    t, f, row - 1, row == 0, block, f->gap == 1 ? " " : "  ", memory);
 	fclose(memory);
-	while (n > 0 && line[n - 1] == ' ')
+	while (n > 0 && (line[n - 1] == ' ' || line[n - 1] == '\n'))
 		n--;
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
