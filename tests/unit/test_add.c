@@ -486,7 +486,18 @@ static const struct {
     {"Timestamp,A,B,C\n03-May-26 10:00:00,1350,180,120\n"
      "03-May-26 10:01:00,1360,187.5,121\n"
      "03-May-26 10:02:00,1370,190,122\n",
-	"1=time, 2=rpm, 3=kW, 4=t/h", 0, DATETIME_OPEN}};
+	"1=time, 2=rpm, 3=kW, 4=t/h", 0, DATETIME_OPEN},
+    {"Time,Rotor rpm,Apparent power kVA,Power factor,Motor power MW,"
+     "Feed rate %,Feed rate setpoint t/h,Feed rate t/d\n"
+     "2026-05-03 10:00,1350,211,0.85,0.18,48,150,2880\n"
+     "2026-05-03 10:01,1360,220,0.85,0.1875,48,150,2904\n"
+     "2026-05-03 10:02,1370,223,0.85,0.19,49,150,2928\n",
+	NULL, 0, DATETIME_OPEN},
+    {"Time,Rotor rpm,Motor power,Feed kg/h,Specific power kWh/t\n,,W,,\n"
+     "2026-05-03 10:00,1350,180000,120000,1.5\n"
+     "2026-05-03 10:01,1360,187500,121000,1.55\n"
+     "2026-05-03 10:02,1370,190000,122000,1.56\n",
+	NULL, 0, DATETIME_OPEN}};
 
 static void
 logs_of_several_programs_say_the_same(void **state)
