@@ -374,10 +374,12 @@ add_power_reading(struct plant *p, struct reading reading)
 	p->reading[p->n_reading++] = reading;
 }
 
-/* Parses a reading, "72:187:121", or "66:52:0" for an empty crusher. */
+/* Parses a reading, "72:187:121", or "66:52:0" for an empty crusher.  More than
+ * 5 MW is in W, as no such crusher has that. */
 static bool
 parse_power_reading(struct plant *p, const char *part, struct error *error)
 {
+	const double MOST_KW = 5000;
 	double value[3];
 	char *copy = xstrdup(part), *at = copy;
 	bool ok = true;
@@ -390,7 +392,7 @@ parse_power_reading(struct plant *p, const char *part, struct error *error)
 		at = colon != NULL ? colon + 1 : NULL;
 	}
 	free(copy);
-	if (!ok || value[0] > SITE_FASTEST)
+	if (!ok || value[0] > SITE_FASTEST || value[1] > MOST_KW)
 		return error_set(error, ERROR_USAGE,
 		    "expected a reading of the motor, m/s:kW:t/h, got '%s'\n"
 		    "write: power=72:187:121,79:221:118",
