@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/plant/plant.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -408,8 +409,13 @@ parse_power_reading_of_note(struct plant *p, const char *note)
 {
 	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
 	double value[3] = {NAN, NAN, NAN};
+	FREED char *plain = xstrdup(note);
 	char *part;
-	for (const char *at = note; (part = next_comma_list_item(&at)) != NULL;
+	for (char *q = plain; *q != '\0'; q++)
+		if (*q == ',' && q > plain && isdigit((unsigned char)q[-1]) &&
+		    isdigit((unsigned char)q[1]))
+			*q = '.'; /* a person may write 187,5 kW */
+	for (const char *at = plain; (part = next_comma_list_item(&at)) != NULL;
 	     free(part))
 		for (size_t i = 0; i < 3; i++) {
 			if (!text_ends_with(part, UNITS[i]))
