@@ -444,7 +444,7 @@ set_day_of_all_samples(struct table *t)
 	for (size_t r = 0; r < t->n_row && day != NULL; r++)
 		if (strcmp(t->row[r].cell[days].text, day) != 0)
 			day = NULL;
-	if (day == NULL)
+	if (day == NULL || t->day != NULL)
 		return;
 	t->day = xcalloc(t->n_col, sizeof(*t->day));
 	for (size_t c = 1; c < t->n_col; c++)

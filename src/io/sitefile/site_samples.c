@@ -146,7 +146,6 @@ rename_and_keep_named_columns(struct samples *columns, struct table *t)
 		char *own = site_day_of_sample(t, c);
 		day[c] = own != NULL ? layout_adopt_text(t, own) : NULL;
 	}
-	free(t->day);
 	t->day = day; /* those of the headings that are replaced */
 	for (size_t c = 0; c < t->n_col; c++) {
 		const struct sample *named =
