@@ -24,7 +24,7 @@ a_circuit_is_what_its_lines_say(void **state)
 	    "screen,out,8,over,under,sharpness=6,cut_size=95\n"
 	    "split,over,sold=30.5,back\nstockpile,sold,8/11,price=-2.5\n"
 	    "stockpile,under\n",
-	    "# b\nstockpile;sold;8/11;price = -2,5\nstockpile;under;\n"
+	    "# b\nstockpile;sold;8/11;Price = -2,5\nstockpile;under;\n"
 	    "split;over;sold = 30,5;back=69,5\n"
 	    "screen;out;8,0;over;under;cut_size=95;sharpness=6;\n"
 	    "crusher;new+back;out;speed=70;cascade=7,5\nfeed;new;120,5\n"
@@ -93,7 +93,8 @@ faults_have_their_place(void **state)
 	    {FEED "screen,a,4,b,c,sharpnes=3\n", 2, 16, "a setting"},
 	    {FEED "crusher,a,b,cascade=95\n", 2, 21, "0 to 90 %"},
 	    {FEED "crusher,a +,b\n", 2, 12, "name of a stream"},
-	    {"feed,a,0\n", 1, 8, "a feed above 0"}};
+	    {"feed,a,0\n", 1, 8, "a feed above 0"},
+	    {"feed;a;1.250\n", 1, 8, "read in one way"}};
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
 		struct error_list errors;
 		assert_null(read_circuit(rows[i].text, &errors));

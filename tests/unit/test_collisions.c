@@ -71,17 +71,21 @@ tables_are_read_by_their_heads(void **state)
 	    {"id\tImpact Energy [J]\tParticle mass [g]\n1\t0.1\t1\n2\t0.6\t2\n",
 		&PLAIN},
 	    {"a,b,c\nx,100,1\nx,300,1\n", &named},
-	    {"specific energy (kJ/kg),count\n0.1,3\n0.3,3\n", &PLAIN}};
+	    {"specific energy (kJ/kg),count\n0.1,3\n0.3,3\n", &PLAIN},
+	    {"size (\xC2\xB5m),mass (mg),velocity (mm/s)\n"
+	     "8000,1000,14142.135623731\n4000,2000,24494.897427832\n",
+		&PLAIN}};
 	for (size_t i = 0; i < ARRAY_LEN(same); i++) {
 		struct collisions c;
 		struct error_list errors;
-		bool weighed = i == 4;
+		bool weighed = i == 4 || i == 7;
 		assert_true(take(same[i].text, *same[i].way, &c, &errors));
 		struct spectrum_size *all = spectrum_sum_over_sizes(c.spectrum);
 		struct spectrum_bin sum =
 		    spectrum_impacts_above_energy(all, 0, false);
 		near(sum.energy / sum.mass, weighed ? 700.0 / 3 : 200);
 		assert_false(c.spectrum->counted);
+		assert_true(c.spectrum->size[0]->size < 0.009);
 		free(all);
 		collisions_clear(&c);
 	}

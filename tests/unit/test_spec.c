@@ -23,7 +23,9 @@ limits_and_their_gaps_are_read(void **state)
 	    "# x\nSpec;A\nsource;b, c\nnote;d\nsize_um;max_pct;min_pct\n"
 	    "8000;99,0;85\n4000;40;-\n",
 	    "spec,A\nsource,\"b, c\"\n# 3 to 5\nsize_mm,min_pct,max_pct\n"
-	    "5/16 in,85,99\n#5,,40\n# end\n"};
+	    "5/16 in,85,99\n#5,,40\n# end\n",
+	    "spec,A\nsource,\"b, c\"\nSieve (mm),Max. passing %,Lower limit\n"
+	    "8,99 %,85%\n4,40%,\n"};
 	for (size_t i = 0; i < ARRAY_LEN(same); i++) {
 		struct error_list errors;
 		struct spec *spec = read_spec(same[i], &errors);
@@ -48,6 +50,10 @@ a_cut_says_which_fraction_it_is_for(void **state)
 	    read_spec("cut,0/4\nsize_mm,max_pct\n4,50\n", &errors);
 	assert_non_null(spec);
 	assert_true(spec->cut[0] == 0 && spec->cut[1] == 0.004);
+	spec_free(spec);
+	spec = read_spec("Fraction mm,0/4\nsize_mm,max_pct\n4,50\n", &errors);
+	assert_non_null(spec);
+	assert_true(spec->cut[1] == 0.004);
 	spec_free(spec);
 	spec = read_spec("size_mm,max_pct\n4,50\n", &errors);
 	assert_non_null(spec);
@@ -95,6 +101,8 @@ faults_have_their_place(void **state)
 
 	    {"size_mm,max_pct\n4,50,1\n", 2, 6},
 	    {"size_mm,min_pct,max_pct\n4,,\n2,-,\n", 1, 1},
+	    {"size_mm,min_pct,max_pct\n4,0.9,1\n2,0.5,0.7\n1,,0.4\n", 1, 1},
+	    {"size_mm,Min retained %\n4,1\n2,30\n", 1, 9},
 	    {"size_mm,max_pct\n4,50\n2,30\n\nsize_mm,max_pct\n4,60\n2,40\n", 5,
 		1},
 	    {"size_mm,max_pct,,size_mm,max_pct\n4,50,,4,60\n2,30,,2,40\n", 1,

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/plant/plant.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -374,10 +375,12 @@ add_power_reading(struct plant *p, struct reading reading)
 	p->reading[p->n_reading++] = reading;
 }
 
-/* Parses a reading, "72:187:121", or "66:52:0" for an empty crusher. */
+/* Parses a reading, "72:187:121", or "66:52:0" for an empty crusher.  More than
+ * 5 MW is in W, as no such crusher has that. */
 static bool
 parse_power_reading(struct plant *p, const char *part, struct error *error)
 {
+	const double MOST_KW = 5000;
 	double value[3];
 	char *copy = xstrdup(part), *at = copy;
 	bool ok = true;
@@ -390,7 +393,7 @@ parse_power_reading(struct plant *p, const char *part, struct error *error)
 		at = colon != NULL ? colon + 1 : NULL;
 	}
 	free(copy);
-	if (!ok || value[0] > SITE_FASTEST)
+	if (!ok || value[0] > SITE_FASTEST || value[1] > MOST_KW)
 		return error_set(error, ERROR_USAGE,
 		    "expected a reading of the motor, m/s:kW:t/h, got '%s'\n"
 		    "write: power=72:187:121,79:221:118",
@@ -406,8 +409,13 @@ parse_power_reading_of_note(struct plant *p, const char *note)
 {
 	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
 	double value[3] = {NAN, NAN, NAN};
+	FREED char *plain = xstrdup(note);
 	char *part;
-	for (const char *at = note; (part = next_comma_list_item(&at)) != NULL;
+	for (char *q = plain; *q != '\0'; q++)
+		if (*q == ',' && q > plain && isdigit((unsigned char)q[-1]) &&
+		    isdigit((unsigned char)q[1]))
+			*q = '.'; /* a person may write 187,5 kW */
+	for (const char *at = plain; (part = next_comma_list_item(&at)) != NULL;
 	     free(part))
 		for (size_t i = 0; i < 3; i++) {
 			if (!text_ends_with(part, UNITS[i]))

@@ -60,8 +60,8 @@ const struct command TABLE_DATA[] = {
 	    "sites loaded before stay. The refused files are listed at the "
 	    "end, where a script then stops unless skip=on. With as=log the "
 	    "files are a plant's log for 'add': rows with date and time, and "
-	    "columns headed rpm or m/s, kW and t/h; its columns= are named "
-	    "time, rpm, m/s, kW, t/h.",
+	    "columns headed rpm or m/s, kW (W, MW, hp) and t/h (kg/s, t/d); "
+	    "its columns= are named time, rpm, m/s, kW, t/h.",
 	.example = "load data/sites/tierp.csv\n"
 		   "load data/sites/bro.csv columns=\"1=sieve mm, 2=feed, "
 		   "3=product@69\"\nshow",

@@ -70,19 +70,21 @@ month_from_name(const char *word)
 	return 0;
 }
 
-/* Reads the "May-2026" that follows a day. */
+/* Reads the "May-2026" that follows a day, or, if day is 0, "May 3, 2026". */
 static bool
 parse_month_name_and_year(const char **p, int day, struct datetime *m)
 {
 	size_t n;
-	m->day = day;
+	bool first = day == 0;
 	m->month = month_from_name(*p);
 	while (isalpha((unsigned char)**p))
 		(*p)++;
 	*p += strspn(*p, ".- ,");
+	m->day = first ? parse_digits(p, 2, &n) : day;
+	*p += first ? strspn(*p, " ,") : 0;
 	m->year = parse_digits(p, 4, &n);
-	/* The day comes first, so 26 in 03-May-26 is a year. */
-	m->year += n == 2 ? 2000 : 0;
+	/* If the day comes first, 26 in 03-May-26 is a year. */
+	m->year += n == 2 && !first ? 2000 : 0;
 	m->plain = true;
 	return (n == 2 || n == 4) && is_valid_date(m->year, m->month, m->day);
 }
@@ -95,12 +97,15 @@ parse_rest_of_numeric_date(
 {
 	size_t n;
 	int second = parse_digits(p, 2, &n);
-	if (*(*p)++ != sign)
+	char next = *(*p)++;
+	/* Only dates that begin with the day have two signs, 3/5-2026. */
+	bool two = sign == '/' && (next == '-' || next == ' ');
+	if (next != sign && !two)
 		return false;
 	m->year = parse_digits(p, 4, &n);
 	m->day = first;
 	m->month = second;
-	m->plain = sign == '.' || first == second;
+	m->plain = sign == '.' || first == second || two;
 	bool day_first = is_valid_date(m->year, second, first);
 	bool month_first = is_valid_date(m->year, first, second) && !m->plain;
 	if (day_first && month_first)
@@ -116,6 +121,8 @@ static bool
 datetime_parse_date(const char **p, struct datetime *m)
 {
 	size_t n;
+	if (isalpha((unsigned char)**p))
+		return parse_month_name_and_year(p, 0, m);
 	int first = parse_digits(p, 4, &n);
 	char sign = **p;
 	if (first < 0 || strchr("-/. ", sign) == NULL || sign == '\0')

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -102,6 +103,11 @@ parse_number_between(struct reading_circuit *r, struct cell cell,
 {
 	if (!number_read_cell(r->sheet, cell, wanted, value))
 		return false;
+	if (number_is_ambiguous(r->sheet, cell) && 1000 * *value <= most)
+		return sheet_report_fault(r->sheet, cell,
+		    "expected a number that can be read in one way, got %s: a "
+		    "decimal sign, or thousands?\nwrite %g or %g",
+		    cell.text, *value, 1000 * *value);
 	if (*value >= least && *value <= most)
 		return true;
 	return sheet_report_expected(
@@ -173,7 +179,7 @@ parse_circuit_unit_key(
 		size_t n = strlen(key->word);
 		double value;
 		if (key->kind != unit->kind ||
-		    strncmp(cell.text, key->word, n) != 0 ||
+		    strncasecmp(cell.text, key->word, n) != 0 ||
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
 		struct cell number = rest_of_cell_as_cell(r, cell, sign + 1);

@@ -63,8 +63,10 @@ static const struct {
 	const char *end, *unit;
 	double scale;
 } UNITS[] = {{"_j_kg", "J/kg", 1}, {"_kj_kg", "J/kg", 1e3},
-    {"_kwh_t", "J/kg", 3600}, {"_m_s", "m/s", 1}, {"_mm", "m", 1e-3},
-    {"_kg", "kg", 1}, {"_g", "kg", 1e-3}, {"_mj", "J", 1e-3}, {"_j", "J", 1},
+    {"_kwh_t", "J/kg", 3600}, {"_j_g", "J/kg", 1e3}, {"_m_s", "m/s", 1},
+    {"_mm_s", "m/s", 1e-3}, {"_km_h", "m/s", 1 / 3.6}, {"_mm", "m", 1e-3},
+    {"_um", "m", 1e-6}, {"_kg", "kg", 1}, {"_g", "kg", 1e-3},
+    {"_mg", "kg", 1e-6}, {"_mj", "J", 1e-3}, {"_kj", "J", 1e3}, {"_j", "J", 1},
     {"_m", "m", 1}};
 
 enum { FIELDS_MOST = 64 };
@@ -153,11 +155,14 @@ heading_to_identifier(const char *head)
 	char *plain = text_fold_case_and_accents(head);
 	size_t n = 0;
 	for (const char *c = plain; *c != '\0'; c++) {
-		bool letter = isalnum((unsigned char)*c) != 0;
+		bool micro = strncmp(c, "\xC2\xB5", 2) == 0 ||
+			     strncmp(c, "\xCE\xBC", 2) == 0;
+		bool letter = micro || isalnum((unsigned char)*c) != 0;
 		if (letter)
-			plain[n++] = *c;
+			plain[n++] = micro ? 'u' : *c;
 		else if (n > 0 && plain[n - 1] != '_')
 			plain[n++] = '_';
+		c += micro;
 	}
 	while (n > 0 && plain[n - 1] == '_')
 		n--;

@@ -28,25 +28,40 @@ static const char
     POWER[] = "kw power effekt motoreffekt leistung motorleistung "
 	      "antriebsleistung wirkleistung puissance potencia potenza teho "
 	      "moottoriteho effekten",
-    RATE[] = "t/h tph mtph ton/h tons/h t/tim t/std ton/tim feedrate "
-	     "throughput tonnage kapacitet produktion durchsatz "
-	     "durchsatzleistung aufgabeleistung debit caudal vazao "
-	     "kapasiteetti kapasitet",
-    /* Words for other machines, and for quantities that are not wanted. */
-    OTHER[] =
+    RATE[] = "t/h tph mtph ton/h tons/h t/tim t/std ton/tim kg/s kg/h t/min "
+	     "t/d t/day t/dygn tpd lb/h stph feedrate throughput tonnage "
+	     "kapacitet produktion durchsatz durchsatzleistung aufgabeleistung "
+	     "debit caudal vazao kapasiteetti kapasitet",
+    /* Words for quantities that are not wanted, and for other machines. */
+    OTHER[] = "kwh mwh kva kvar factor faktor % hz percent set setpoint sp "
+	      "borvarde sollwert limit alarm",
+    MACHINE[] =
 	"feeder matare syotin alimentador alimentateur aufgeber belt band "
-	"conveyor transportor forderband fan flakt screen sikt pump kwh % hz "
-	"percent setpoint sp borvarde sollwert limit alarm a amp stph",
+	"conveyor transportor forderband fan flakt screen sikt pump a amp",
     TIMES[] = "time tid zeit datum date timestamp datetime zeitstempel "
 	      "tidpunkt uhrzeit fecha hora heure data aika pvm klockan";
+
+/* Units of power and rate, and the factors to those of LOG_UNITS. */
+static const struct {
+	enum log_column kind;
+	const char *words;
+	double scale;
+} UNITS[] = {{LOG_POWER, "kw", 1}, {LOG_POWER, "mw", 1e3},
+    {LOG_POWER, "w watt", 1e-3}, {LOG_POWER, "hp bhp", 0.7457},
+    {LOG_POWER, "ps hk cv", 0.7355}, {LOG_RATE, "kg/s", 3.6},
+    {LOG_RATE, "kg/h", 1e-3}, {LOG_RATE, "t/min", 60},
+    {LOG_RATE, "t/d t/day t/dygn tpd", 1. / 24},
+    {LOG_RATE, "lb/h", 0.00045359237}, {LOG_RATE, "stph short us", 0.90718474},
+    {LOG_RATE, "t/h tph mtph ton/h tons/h t/tim t/std ton/tim", 1}};
 
 /* What a column of a log contains: an enum log_column, or one of these. */
 enum kind { NO_KIND = LOG_COLUMNS, TIME };
 
 /* A log being read.  first: the first row of data.  date, clock: the columns of
  * dates and times of day, which may be the same.  kind, head [n_column]: what
- * each column contains, and its heading.  told: the user gave the columns.
- * zone: some times have a time zone. */
+ * each column contains, and its heading; scale: the factor of its numbers to
+ * the unit of LOG_UNITS.  told: the user gave the columns.  zone: some times
+ * have a time zone. */
 struct reading {
 	const struct log_request *request;
 	struct error_list *errors;
@@ -55,6 +70,7 @@ struct reading {
 	size_t n_column, first, date, clock;
 	unsigned kind[MOST_COLUMNS];
 	struct head head[MOST_COLUMNS];
+	double scale[MOST_COLUMNS];
 	enum datetime_order order;
 	bool told, zone;
 };
@@ -73,15 +89,35 @@ plant_log_text_has_word(const char *text, const char *words)
 	return found;
 }
 
+/* Sets *scale to the factor from the unit in a heading to that of LOG_UNITS.
+ * Returns NO_KIND for a heading with another unit, "kWh/t", else kind. */
 static unsigned
-plant_log_kind_of_heading(const char *text, const struct head *head)
+plant_log_kind_by_unit(const char *text, enum log_column kind, double *scale)
 {
-	if (plant_log_text_has_word(text, RATE))
-		return LOG_RATE;
+	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++)
+		if (UNITS[i].kind == kind &&
+		    plant_log_text_has_word(text, UNITS[i].words)) {
+			*scale = UNITS[i].scale;
+			return kind;
+		}
+	return strchr(text, '/') != NULL ? (unsigned)NO_KIND : kind;
+}
+
+/* Returns what a column contains according to its heading; *scale gets the
+ * factor to the unit of LOG_UNITS. */
+static unsigned
+plant_log_kind_of_heading(
+    const char *text, const struct head *head, double *scale)
+{
+	*scale = 1;
 	if (plant_log_text_has_word(text, OTHER))
 		return NO_KIND;
+	if (plant_log_text_has_word(text, RATE))
+		return plant_log_kind_by_unit(text, LOG_RATE, scale);
+	if (plant_log_text_has_word(text, MACHINE))
+		return NO_KIND;
 	if (plant_log_text_has_word(text, POWER))
-		return LOG_POWER;
+		return plant_log_kind_by_unit(text, LOG_POWER, scale);
 	if (head->unit == SPEED_RPM || (head->means & WORD_RPM) != 0)
 		return LOG_RPM;
 	if (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0)
@@ -148,7 +184,7 @@ find_time_columns(struct reading *r)
 }
 
 /* Returns the words above a column.  Lines with a single cell are left out, as
- * they are titles. */
+ * they are titles, except the line above the data, which may be of units. */
 static char *
 plant_log_column_heading(const struct reading *r, size_t c)
 {
@@ -160,7 +196,8 @@ plant_log_column_heading(const struct reading *r, size_t c)
 		size_t filled = 0;
 		for (size_t k = 0; k < row->n; k++)
 			filled += row->cell[k].text[0] != '\0';
-		if (filled > 1 && cell[0] != '\0')
+		bool title = filled < 2 && i + 1 < r->first;
+		if (!title && cell[0] != '\0')
 			xappend_to_list(&text, " ", "%s", cell);
 	}
 	return text;
@@ -182,8 +219,8 @@ parse_columns_option(struct reading *r, const char *columns)
 		if (!good)
 			break;
 		r->head[number - 1] = heading_parse(end + 1);
-		r->kind[number - 1] =
-		    plant_log_kind_of_heading(end + 1, &r->head[number - 1]);
+		r->kind[number - 1] = plant_log_kind_of_heading(
+		    end + 1, &r->head[number - 1], &r->scale[number - 1]);
 		good = r->kind[number - 1] != NO_KIND;
 	}
 	if (!good)
@@ -264,9 +301,10 @@ plant_log_find_column_kinds(struct reading *r)
 	for (size_t c = 0; c < r->n_column; c++) {
 		FREED char *text = plant_log_column_heading(r, c);
 		r->head[c] = heading_parse(text);
-		bool time = c == r->date || c == r->clock;
 		r->kind[c] =
-		    time ? TIME : plant_log_kind_of_heading(text, &r->head[c]);
+		    plant_log_kind_of_heading(text, &r->head[c], &r->scale[c]);
+		if (c == r->date || c == r->clock)
+			r->kind[c] = TIME;
 	}
 	const char *columns = r->request->columns;
 	if (columns != NULL && !parse_columns_option(r, columns))
@@ -345,6 +383,7 @@ add_plant_log_row(struct reading *r, double time, const struct row *row)
 			continue;
 		if (k == LOG_SPEED)
 			v = speed_in_unit_to_mps(v, r->head[c].unit, 0);
+		v *= r->scale[c];
 		double *slot = &log->value[k][log->n];
 		*slot = isnan(*slot) ? v : *slot + v;
 	}

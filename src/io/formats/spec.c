@@ -39,10 +39,15 @@ static bool
 spec_parse_key_value(
     struct spec *spec, struct sheet *sheet, struct cell key, struct cell value)
 {
+	static const char *const CUT[] = {
+	    "cut", "cut mm", "cut_mm", "fraction", "fraction mm"};
+	bool cut = false;
+	for (size_t i = 0; i < ARRAY_LEN(CUT); i++)
+		cut = cut || text_is_same_folded(key.text, CUT[i]);
 	char **text = text_is_same_folded(key.text, "spec")     ? &spec->name
 		      : text_is_same_folded(key.text, "source") ? &spec->source
 								: NULL;
-	if (text_is_same_folded(key.text, "cut")) {
+	if (cut) {
 		if (!spec_parse_fraction_sizes(value.text, spec->cut))
 			sheet_report_expected(sheet, value,
 			    "a fraction in mm such as 0/4",
@@ -90,6 +95,28 @@ read_keys_above_table(
 	return true;
 }
 
+/* Returns the index in HEADS of what a heading such as max_pct, "Max %" or
+ * "Upper limit" names, or 2. */
+static size_t
+limit_named_in_heading(const char *heading)
+{
+	static const char *const WORDS[3] = {"min minimum lower undre untere",
+	    "max maximum upper ovre obere", "pct passing limit limits grans"};
+	FREED char *folded = text_fold_case_and_accents(heading);
+	size_t named = 2, i, which;
+	char *next = NULL;
+	for (char *word = strtok_r(folded, " _-%()[],.:", &next); word != NULL;
+	     word = strtok_r(NULL, " _-%()[],.:", &next)) {
+		for (i = 0; i < 3; i++)
+			if (text_find_word_in_list(WORDS[i], word, &which))
+				break;
+		if (i == 3 || (i < 2 && named < 2))
+			return 2;
+		named = i < 2 ? i : named;
+	}
+	return named;
+}
+
 /* Finds the places of min_pct and max_pct in a row; at is 0 for one that is
  * missing. */
 static void
@@ -98,10 +125,9 @@ spec_find_limit_columns(const struct table *t, size_t at[static 2])
 	at[0] = at[1] = 0;
 	for (size_t i = 1; i < t->n_col; i++) {
 		struct cell head = t->head[t->n_head - 1].cell[i];
-		bool is_max = text_is_same_folded(head.text, HEADS[1]);
-		if ((is_max || text_is_same_folded(head.text, HEADS[0])) &&
-		    at[is_max] == 0)
-			at[is_max] = i;
+		size_t which = limit_named_in_heading(head.text);
+		if (which < 2 && at[which] == 0)
+			at[which] = i;
 		else if (head.text[0] != '\0')
 			sheet_report_expected(t->sheet, head,
 			    "a column min_pct or max_pct, each once",
@@ -121,6 +147,8 @@ parse_limit_of_row(const struct table *t, size_t row, size_t at)
 {
 	double v;
 	struct cell cell = row_cell_at(&t->row[row], at);
+	if (cell.value == AS_PERCENT)
+		cell.value = AS_NUMBER;
 	if (at == 0 || cell.text[0] == '\0' || cell.value == AS_ABSENT ||
 	    !number_read_cell(t->sheet, cell, tr("a number"), &v))
 		return NAN;
@@ -159,7 +187,8 @@ static void
 spec_read_limit_rows(
     struct spec *spec, struct table *t, const size_t at[static 2])
 {
-	bool any = false;
+	enum { FEW = 3 };
+	double largest = -1;
 	spec->n = t->n_row;
 	spec->size = xcalloc_doubles(t->n_row);
 	spec->least = xcalloc_doubles(t->n_row);
@@ -169,7 +198,7 @@ spec_read_limit_rows(
 		spec->size[i] = t->mm[i] / 1000;
 		spec->least[i] = parse_limit_of_row(t, i, at[0]);
 		spec->most[i] = parse_limit_of_row(t, i, at[1]);
-		any = any || !isnan(spec->least[i]) || !isnan(spec->most[i]);
+		largest = fmax(largest, fmax(spec->least[i], spec->most[i]));
 		if (t->mm[i] <= 0)
 			sheet_report_expected(t->sheet, cell, "a sieve size",
 			    "remove the row: an envelope has no pan");
@@ -179,7 +208,11 @@ spec_read_limit_rows(
 			    "%g\nwere the two swapped?",
 			    100 * spec->least[i], 100 * spec->most[i]);
 	}
-	if (!any && t->sheet->n_fault == 0)
+	if (largest >= 0 && largest <= 0.01 && t->n_row >= FEW)
+		sheet_report_fault(t->sheet, site_sieve_heading_cell(t),
+		    "expected limits in per cent, got none above 1\n"
+		    "write per cent passing, such as 85 for 0.85");
+	if (largest < 0 && t->sheet->n_fault == 0)
 		sheet_report_fault(t->sheet, site_sieve_heading_cell(t),
 		    "expected a limit in a row below, got none\n"
 		    "write per cent passing into min_pct or max_pct");

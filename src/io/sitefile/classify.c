@@ -741,7 +741,12 @@ leave_out_non_sample_column(const struct column *c, struct site *site)
 		    "%s: looks like a limit, or calculated or rejected values",
 		    head);
 	} else if (words && (means & ROLE_WORDS) == 0) {
-		leave_out(site, c, "%s: it contains words", head);
+		const struct table *t = c->table;
+		bool day =
+		    t->day != NULL && t->day[c->at] != NULL &&
+		    strcmp(t->day[c->at], t->row[0].cell[c->at].text) == 0;
+		if (!day)
+			leave_out(site, c, "%s: it contains words", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
 		leave_out(site, c, "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&

@@ -446,6 +446,23 @@ find_id_or_date_column(struct longer *l)
 	return found;
 }
 
+/* Gives the day in a column of days, if all rows have the same, to all samples
+ * of a table that has a column for each of them. */
+static void
+set_day_of_all_samples(struct table *t)
+{
+	size_t days = site_day_column(t);
+	char *day = days > 0 ? t->row[0].cell[days].text : NULL;
+	for (size_t r = 0; r < t->n_row && day != NULL; r++)
+		if (strcmp(t->row[r].cell[days].text, day) != 0)
+			day = NULL;
+	if (day == NULL || t->day != NULL)
+		return;
+	t->day = xcalloc(t->n_col, sizeof(*t->day));
+	for (size_t c = 1; c < t->n_col; c++)
+		t->day[c] = day;
+}
+
 bool
 layout_long_to_wide(struct table *t, uint64_t told)
 {
@@ -472,6 +489,8 @@ layout_long_to_wide(struct table *t, uint64_t told)
 	    (good = has_table_room_for_samples(&l))) {
 		sort_samples_by_number(&l);
 		replace_by_wide_table(&l);
+	} else {
+		set_day_of_all_samples(t);
 	}
 	return good;
 }

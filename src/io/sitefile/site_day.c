@@ -29,7 +29,7 @@ only_date_in_heading(const char *heading)
 		size_t n = strcspn(p, BETWEEN);
 		const char *month = p + n + strspn(p + n, " ");
 		const char *year = month + strcspn(month, BETWEEN);
-		year += strspn(year, " ");
+		year += strspn(year, " ,");
 		size_t last = strcspn(year, BETWEEN);
 		FREED char *word = xstrndup(p, n);
 		FREED char *words = xstrndup(p, (size_t)(year - p) + last);
@@ -109,10 +109,32 @@ site_day_of_sample(const struct table *t, size_t c)
 	return first != NULL && first[0] != '\0' ? xstrdup(first) : NULL;
 }
 
+/* True for a heading with a word such as 17/11-26, which may be a date. */
+static bool
+has_word_like_date(const char *heading)
+{
+	static const char DIGITS[] = "0123456789";
+	for (const char *p = heading; *p != '\0'; p += *p != '\0') {
+		size_t parts = 0, n;
+		while ((n = strspn(p, DIGITS)) > 0) {
+			parts += n < 5;
+			p += n;
+			if (*p == '\0' || strchr("./-", *p) == NULL)
+				break;
+			p++;
+		}
+		if (parts == 3)
+			return true;
+	}
+	return false;
+}
+
 const char *
 site_find_unreadable_day(const struct table *t, size_t c)
 {
 	struct datetime m;
+	if (t->day != NULL && t->day[c] != NULL && !is_date(t->day[c], &m))
+		return t->day[c];
 	for (size_t r = 0; r < t->n_head + t->n_foot; r++) {
 		const struct row *row =
 		    r < t->n_head ? &t->head[r] : &t->foot[r - t->n_head];
@@ -121,11 +143,28 @@ site_find_unreadable_day(const struct table *t, size_t c)
 		    strpbrk(text, "0123456789") != NULL && !is_date(text, &m))
 			return text;
 	}
+	FREED char *day = site_day_of_sample(t, c);
+	for (size_t r = 0; r < t->n_head && day == NULL; r++)
+		if (has_word_like_date(t->head[r].cell[c].text))
+			return t->head[r].cell[c].text;
 	return NULL;
 }
 
+const char *
+site_unreadable_day_of_line(const struct row *row)
+{
+	struct datetime m;
+	const char *text = row_cell_at(row, 1).text;
+	return row->n == 2 && lexicon_is_date_label(row->cell[0].text) &&
+		       strpbrk(text, "0123456789") != NULL && !is_date(text, &m)
+		   ? text
+		   : NULL;
+}
+
+/* True if the cells of a column that are not empty have dates; any: texts that
+ * are no numbers. */
 static bool
-is_column_of_dates(const struct table *t, size_t c)
+is_column_of_dates(const struct table *t, size_t c, bool any)
 {
 	size_t n = 0;
 	struct datetime m;
@@ -133,28 +172,38 @@ is_column_of_dates(const struct table *t, size_t c)
 		const struct cell *cell = &t->row[r].cell[c];
 		if (cell->value == AS_ABSENT)
 			continue;
-		if (!is_date(cell->text, &m))
+		if (any ? cell->value != AS_NONE : !is_date(cell->text, &m))
 			return false;
 		n++;
 	}
 	return n > 0;
 }
 
-size_t
-site_day_column(const struct table *t)
+/* Returns the column of dates with the best label, or 0; any: of texts whose
+ * label says that they are dates. */
+static size_t
+find_day_column(const struct table *t, bool any)
 {
-	enum lexicon_day best = DAY_OTHER;
+	enum lexicon_day best = any ? DAY_ANY : DAY_OTHER;
 	size_t found = 0;
 	for (size_t c = 1; c < t->n_col; c++) {
 		FREED char *label = layout_column_heading_text(t, c);
 		enum lexicon_day own = lexicon_day_kind_of_label(label);
-		if (own < best || own == DAY_OTHER || !is_column_of_dates(t, c))
+		if (own < best || own == DAY_OTHER ||
+		    !is_column_of_dates(t, c, any))
 			continue;
 		/* Of two equally good labels, neither is used. */
-		found = own > best ? c : 0;
+		found = own > best || (any && found == 0) ? c : 0;
 		best = own;
 	}
 	return found;
+}
+
+size_t
+site_day_column(const struct table *t)
+{
+	size_t found = find_day_column(t, false);
+	return found > 0 ? found : find_day_column(t, true);
 }
 
 char *

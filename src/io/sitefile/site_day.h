@@ -11,9 +11,11 @@
  * headings state no day, or two.  The caller frees it. */
 char *site_day_of_sample(const struct table *t, size_t c);
 
-/* Returns the cell of column c in a row of days if it cannot be read as a day,
- * such as "17/11/26"; else NULL. */
+/* Returns the day of column c, or its heading with a day, if that cannot be
+ * read, such as "17/11/26"; else NULL.  The other function does so for a key
+ * and its value above the tables. */
 const char *site_find_unreadable_day(const struct table *t, size_t c);
+const char *site_unreadable_day_of_line(const struct row *row);
 
 /* Returns the column of a long table that has the day of each row's sample, or
  * 0. */

@@ -1241,7 +1241,7 @@ note_days_of_cuts(struct reading *r)
 }
 
 /* Notes as left out the days of cuts that are stated in a form that is not
- * read. */
+ * read, and days above the tables. */
 static void
 note_days_not_read(struct reading *r)
 {
@@ -1253,6 +1253,18 @@ note_days_not_read(struct reading *r)
 			    "the day '%.*s' of the cut at %g m/s: write year, "
 			    "month, day",
 			    sheet_truncated_text_length(day), day, c->speed);
+	}
+	for (size_t p = 0; p < r->n_page; p++) {
+		const struct layout *of = r->page[p].layout;
+		for (size_t i = 0; i < of->n_heading; i++) {
+			const char *day =
+			    site_unreadable_day_of_line(of->heading[i]);
+			if (day != NULL)
+				site_heading_leave_out(r->site,
+				    of->heading[i]->line,
+				    "the day '%.*s': write year, month, day",
+				    sheet_truncated_text_length(day), day);
+		}
 	}
 }
 
