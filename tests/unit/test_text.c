@@ -65,6 +65,24 @@ numbers_have_a_point_in_every_locale(void **state)
 }
 
 static void
+check_letters(void)
+{
+	assert_true(text_is_same_but_case("FINES", "fines", SIZE_MAX));
+	assert_true(text_is_same_but_case("fines", "FIne", 4));
+	assert_true(text_is_same_but_case("", "", 3));
+	assert_false(text_is_same_but_case("fine", "fines", SIZE_MAX));
+	assert_false(text_is_same_but_case("fines", "fine", 5));
+	assert_false(text_is_same_but_case("\xC3\xA5", "\xC3\x85", 2));
+}
+
+static void
+letters_are_those_of_ascii_in_every_locale(void **state)
+{
+	(void)state;
+	in_each_locale(check_letters);
+}
+
+static void
 whole_numbers_go_to_2_to_the_64(void **state)
 {
 	(void)state;
@@ -445,6 +463,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(numbers_have_a_point_in_every_locale),
+	    cmocka_unit_test(letters_are_those_of_ascii_in_every_locale),
 	    cmocka_unit_test(whole_numbers_go_to_2_to_the_64),
 	    cmocka_unit_test(any_double_comes_back_to_the_bit),
 	    cmocka_unit_test(exact_is_as_short_as_can_be),

@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -166,7 +165,7 @@ command_nearest_name(const char *name)
 	const char *nearest = NULL;
 	size_t least = 3; /* more edits than this is another word */
 	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)
-		if (strcasecmp(OTHERS[i][0], name) == 0)
+		if (text_is_same_folded(OTHERS[i][0], name))
 			return OTHERS[i][1];
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		size_t d = text_edit_distance(c->name, name);
