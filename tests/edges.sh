@@ -68,6 +68,25 @@ for kind in '' '-f'; do
 	status=$?
 	told 130 'cannot read' "nobody writes to a pipe: ^C${kind:+, $kind}"
 done
+env --default-signal=INT "$TIPSPEED" --store=:memory: $sheet \
+	-c "$quick" -c 'predict 74 > pipe' 2>err &
+pid=$!
+# So that a program that does not answer goes on and fails.
+{ sleep 20; exec cat pipe; } >/dev/null &
+reader=$!
+sleep 1
+kill -s INT $pid
+wait $pid
+status=$?
+kill $reader
+told 130 'cannot write pipe' 'nobody reads from a pipe: ^C'
+
+# Results and messages in one file.
+"$TIPSPEED" --store=:memory: $sheet -c "$quick" -c 'predict 74 > /dev/stderr' \
+	-c nonsense 2>err
+status=$?
+grep -q '^loaded Tierp' err && grep -q '^  sieve mm' err &&
+	told 2 'no command' 'results follow messages on standard error'
 
 # Without a place for messages they must not go into a file.
 "$TIPSPEED" --store=:memory: $sheet -c "$quick" -c 'predict 74 > one.csv' 2>err

@@ -92,13 +92,12 @@ resolve_symlinks(const char *path)
 	return at;
 }
 
+/* A signal ends it, so that ^C works where nobody reads from a pipe. */
 static bool
 write_all_bytes(int fd, const char *bytes, size_t n)
 {
 	while (n > 0) {
 		ssize_t written = write(fd, bytes, n);
-		if (written < 0 && errno == EINTR)
-			continue;
 		if (written < 0)
 			return false;
 		bytes += written;
@@ -243,16 +242,20 @@ stat_file_to_write(const char *path, struct stat *about, bool *there)
 	return *there ? !S_ISDIR(about->st_mode) : errno == ENOENT;
 }
 
-/* True if standard output goes to the file, as with > /dev/stdout in a script
- * whose output is redirected.  To replace that file would lose what was
- * printed, and to append at its end would be overwritten. */
-static bool
-is_standard_output(const char *path)
+/* Returns the standard stream that goes to the file, as with > /dev/stdout in a
+ * script whose output is redirected, or NULL.  To replace that file would lose
+ * what was printed, and to append at its end would be overwritten. */
+static FILE *
+find_standard_stream(const char *path)
 {
+	FILE *const streams[] = {stdout, stderr};
 	struct stat file, out;
-	return stat(path, &file) == 0 && S_ISREG(file.st_mode) &&
-	       fstat(STDOUT_FILENO, &out) == 0 && file.st_dev == out.st_dev &&
-	       file.st_ino == out.st_ino;
+	bool there = stat(path, &file) == 0 && S_ISREG(file.st_mode);
+	for (size_t i = 0; there && i < ARRAY_LEN(streams); i++)
+		if (fstat(fileno(streams[i]), &out) == 0 &&
+		    file.st_dev == out.st_dev && file.st_ino == out.st_ino)
+			return streams[i];
+	return NULL;
 }
 
 bool
@@ -263,7 +266,8 @@ file_replace_contents(const char *path, enum file_rights rights,
 	bool there;
 	if (!stat_file_to_write(path, &about, &there))
 		return report_cannot_write(path, errno, error);
-	if (there && (!S_ISREG(about.st_mode) || is_standard_output(path)))
+	if (there &&
+	    (!S_ISREG(about.st_mode) || find_standard_stream(path) != NULL))
 		return file_append_bytes(path, rights, bytes, n, error);
 	/* A rename checks only the permissions of the folder. */
 	if (there && access(path, W_OK) != 0)
@@ -331,16 +335,13 @@ bool
 file_append_bytes(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error)
 {
-	if (is_standard_output(path))
-		return (fflush(stdout) == 0 &&
-			   write_all_bytes(STDOUT_FILENO, bytes, n)) ||
+	FILE *stream = find_standard_stream(path);
+	if (stream != NULL)
+		return (fflush(stream) == 0 &&
+			   write_all_bytes(fileno(stream), bytes, n)) ||
 		       report_cannot_write(path, errno, error);
-	int fd;
-	do
-		fd = open(path,
-		    O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOCTTY,
-		    rights);
-	while (fd < 0 && errno == EINTR);
+	int fd = open(
+	    path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOCTTY, rights);
 	bool good = fd >= 0 && append_bytes_or_undo(fd, bytes, n);
 	int reason = errno;
 	if (fd >= 0 && close(fd) != 0 && errno != EINTR && good) {
