@@ -44,6 +44,9 @@ try "$TIPSPEED" --store=/dev/zero -c materials
 told 5 'the store cannot be opened: this is a folder' 'a device as a store'
 ours -f /dev/null
 told 0 '' 'nothing as a script'
+{ printf 'energy_j_kg\n100\n200\n'; head -c 11000000 /dev/zero | tr '\0' 1; } >long
+ours -c 'energy load long speed=69'
+told 5 'cannot be read to its end' 'a line of 11 MB among collision energies'
 
 mkfifo pipe
 cat $sheet >pipe &

@@ -526,10 +526,10 @@ text_read_line(char **text, size_t *n, size_t *room, FILE *in)
 		}
 		(*text)[*n] = (char)c;
 	}
-	if (*n == from || ferror(in))
+	if (*n == from)
 		return TEXT_END;
 	(*text)[*n] = '\0';
-	return TEXT_LINE;
+	return ferror(in) ? TEXT_END : TEXT_LINE;
 }
 
 uint64_t
