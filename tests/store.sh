@@ -112,6 +112,32 @@ result $? "and all that they wrote is there"
 [ $reads -eq 0 ]
 result $? "a reader is not kept from reading"
 
+# A row with the digest of a sheet that has more runs than the row, as an editor of
+# text can make it.
+awk 'BEGIN {
+	printf "size_mm,feed"
+	for (k = 0; k < 60; k++)
+		printf ",product@%d", 50 + k
+	for (i = 0; i < 10; i++) {
+		printf "\n%g,%g", 16 / 2 ^ i, 100 - i * 9
+		for (k = 0; k < 60; k++)
+			printf ",%g", 100 - i * 8
+	}
+	print ""
+}' >runs.csv
+"$TIPSPEED" --store=few.db data/sites/tierp.csv \
+	-c 'calibrate population=64 generations=2' -c 'save own.tip' \
+	-c 'remember few; export few.csv' >out 2>log
+"$TIPSPEED" --store=few.db runs.csv -c 'save runs.tip' >out 2>log
+digests=$(sed -n 's/.*digest=//p' own.tip runs.tip | paste -sd /)
+sed "s/$digests/" few.csv >false.csv
+! cmp -s few.csv false.csv &&
+	"$TIPSPEED" --store=false.db -c 'import false.csv' 2>log &&
+	"$TIPSPEED" --store=false.db runs.csv -c 'recall few' >out 2>log
+[ $? -eq 0 ] && grep -q 'runs: parameters from store: few' log
+result $? "runs of a row with a false digest are not taken for those of a sheet"
+remark log
+
 # A full disk: a limit on the size of files that is met in the middle.
 cp to.db full.db
 before=$(own full.db | wc -l)
