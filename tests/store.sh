@@ -186,6 +186,14 @@ status=$?
 [ $status -eq 0 ] && grep -q '^  i-600 ' out
 result $? "a store in a read-only folder can be read"
 remark log
+chmod 000 closed
+for store in closed/s.db sheet.csv/s.db; do
+	$as_other ./tipspeed --store=$store -c 'materials origin=own' >out 2>log
+	[ $? -eq 5 ] && grep -q "^-c:1:1: $store: the store cannot be opened" log
+	result $? "it cannot be reached: $store"
+	remark log
+done
+chmod 555 closed
 for store in closed/s.db closed/new.db none/new.db "$dir"; do
 	$as_other ./tipspeed --store="$store" sheet.csv \
 		-c "$params" -c remember >out 2>log

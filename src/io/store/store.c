@@ -462,8 +462,8 @@ store_close(struct store *store)
 }
 
 /* Opens the file, or ":memory:".  make: a missing or empty file becomes a
- * store; otherwise such a file leaves db NULL, which is not an error.  Returns
- * false on failure, with db NULL. */
+ * store; otherwise such a file, or a home that is closed to the user, leaves db
+ * NULL, which is not an error.  Returns false on failure, with db NULL. */
 static bool
 store_open(struct store *store, bool make, struct error *error)
 {
@@ -483,7 +483,8 @@ store_open(struct store *store, bool make, struct error *error)
 		    "the store cannot be opened: this is a folder, a pipe or a "
 		    "device\n"
 		    "use another with --store=PATH");
-	if (!make && access(path, F_OK) != 0)
+	if (!make && access(path, F_OK) != 0 &&
+	    (errno == ENOENT || store->own_folder))
 		return true;
 	bool ok = open_and_check_database(store, make, &version, error);
 	if (ok && (make || version > 0))
