@@ -110,6 +110,17 @@ result $? 'all three are closed'
 [ "$(cat mine)" = open ]
 result $? 'nor does a shell command lack one'
 
+# Some file systems tell only when a file is closed that it could not be written.
+if strace -qq -o calls -y -e trace=close "$TIPSPEED" -c version >out 2>/dev/null &&
+	number=$(grep -n '^close(1<' calls | cut -d: -f1) && [ -n "$number" ]; then
+	try strace -qq -o calls -e trace=close \
+		-e inject=close:error=EDQUOT:when="$number" "$TIPSPEED" -c version
+	told 5 'not all results could be written' 'a failure to close standard output'
+else
+	n=$((n + 1))
+	echo "ok $n - a failure to close # SKIP strace cannot trace here"
+fi
+
 # A file may have no more than so many blocks of 512 or 1024 bytes.
 (
 	ulimit -f 20
