@@ -90,6 +90,8 @@ read_autosave_details(struct autosave_left *file)
 	bool text = text_is_utf8(head, strlen(head));
 	file->about = xstrdup(text ? head + 2 : "?");
 	file->when = info.st_mtim;
+	if (localtime(&file->when.tv_sec) == NULL) /* too far from now */
+		file->when.tv_sec = 0;
 	return true;
 }
 
