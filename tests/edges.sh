@@ -121,6 +121,19 @@ else
 	echo "ok $n - a failure to close # SKIP strace cannot trace here"
 fi
 
+# Each part of a workbook is written to a file of its own, where the disk may be full.
+ours $sheet -c "$quick" -c 'predict 74 > whole.xlsx'
+torn=0
+for number in 25 28 31 34 37 40; do
+	if strace -f -qq -o calls -e trace=write \
+		-e inject=write:error=ENOSPC:when=$number "$TIPSPEED" \
+		--store=:memory: $sheet -c "$quick" -c 'predict 74 > x.xlsx' 2>err; then
+		cmp -s whole.xlsx x.xlsx || torn=$((torn + 1))
+	fi
+done
+[ -s whole.xlsx ] && [ $torn -eq 0 ]
+result $? "a disk that is full for a part of a workbook, $torn torn"
+
 # A file may have no more than so many blocks of 512 or 1024 bytes.
 (
 	ulimit -f 20
