@@ -194,6 +194,18 @@ for store in closed/s.db sheet.csv/s.db; do
 	remark log
 done
 chmod 555 closed
+# A file that cannot be replaced there is told before the command runs.
+chmod 755 closed
+echo old >closed/out.csv
+chmod 666 closed/out.csv
+chmod 555 closed
+$as_other ./tipspeed --store=:memory: -c 'load none.csv > closed/out.csv' 2>log
+[ $? -eq 5 ] && grep -q 'cannot write closed/out.csv: Permission denied' log
+result $? "a file in a read-only folder cannot be replaced"
+remark log
+$as_other ./tipspeed --store=:memory: -c 'echo more >> closed/out.csv' 2>log &&
+	[ "$(paste -sd ' ' closed/out.csv)" = 'old more' ]
+result $? "but added to"
 for store in closed/s.db closed/new.db none/new.db "$dir"; do
 	$as_other ./tipspeed --store="$store" sheet.csv \
 		-c "$params" -c remember >out 2>log

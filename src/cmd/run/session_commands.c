@@ -271,7 +271,7 @@ may_overwrite_script(const struct session *s, const struct args *args,
 	bool again = holder != NULL && strcmp(holder, path) == 0;
 	if (!again)
 		return files_may_overwrite(s, args, path, error);
-	return file_check_writable(path, error) &&
+	return file_check_writable(path, false, error) &&
 	       (saved || files_check_replace(args, path, error));
 }
 

@@ -364,7 +364,7 @@ file_has_sheet_ending(const char *path)
 }
 
 bool
-file_check_writable(const char *path, struct error *error)
+file_check_writable(const char *path, bool append, struct error *error)
 {
 	struct stat about;
 	bool there;
@@ -372,9 +372,11 @@ file_check_writable(const char *path, struct error *error)
 		return report_cannot_write(path, errno, error);
 	FREED char *target = resolve_symlinks(path),
 		   *folder = folder_of_path(target);
-	bool ok =
-	    there ? access(path, W_OK) == 0
-		  : access(folder[0] != '\0' ? folder : ".", W_OK | X_OK) == 0;
+	bool in_place = there && (append || !S_ISREG(about.st_mode) ||
+				     find_standard_stream(path) != NULL);
+	bool ok = (!there || access(path, W_OK) == 0) &&
+		  (in_place || access(folder[0] != '\0' ? folder : ".",
+				   W_OK | X_OK) == 0);
 	int reason = errno;
 	return ok || report_cannot_write(path, reason, error);
 }
