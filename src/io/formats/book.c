@@ -465,18 +465,12 @@ read_whole_file(int fd, size_t *n)
 	return bytes;
 }
 
-static void
-ignore_xml_element(void *data, const char *name, const char *const *attribute)
-{
-	(void)data, (void)name, (void)attribute;
-}
-
 /* Returns what is wrong with a part of a workbook, or NULL.  libxlsxwriter
  * writes each part to a temporary file, and takes no notice if that fails. */
 static char *
 find_damaged_part(const char *bytes, size_t n)
 {
-	static const struct xml_events EVENTS = {.begin = ignore_xml_element};
+	static const struct xml_events NONE = {NULL, NULL, NULL};
 	struct error_list errors = {0};
 	char *wrong = NULL;
 	const char *name;
@@ -484,8 +478,8 @@ find_damaged_part(const char *bytes, size_t n)
 	for (size_t i = 0;
 	     wrong == NULL && (name = archive_entry_name(archive, i)) != NULL;
 	     i++)
-		wrong = xml_parse_archive_part(
-		    archive, name, &EVENTS, NULL, &errors);
+		wrong =
+		    xml_parse_archive_part(archive, name, &NONE, NULL, &errors);
 	archive_close(archive);
 	return wrong;
 }
