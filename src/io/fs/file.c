@@ -200,8 +200,8 @@ write_file_and_rename(const char *path, const struct stat *old,
 	mode_t mode = old != NULL ? old->st_mode & 0777 : rights;
 	remove_left_over_files(folder);
 	int fd = open_new_locked_file(folder, mode, &name);
-	/* Renamed before it is closed, as closing gives up the lock.  Once it is
-	 * synced, close has nothing more to report. */
+	/* Renamed before it is closed, as closing gives up the lock.  Once it
+	 * is synced, close has nothing more to report. */
 	bool good = fd >= 0 && (old == NULL || copy_owner_and_mode(fd, old)) &&
 		    write_all_bytes(fd, bytes, n) && fsync(fd) == 0 &&
 		    rename(name, path) == 0;
