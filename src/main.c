@@ -279,7 +279,8 @@ main_run(
 static int
 flush_stdout(int status)
 {
-	if (fflush(stdout) == 0 && !ferror(stdout))
+	bool good = !ferror(stdout);
+	if (fclose(stdout) == 0 && good)
 		return status;
 	fputs(tr("tipspeed: not all results could be written: is the disk "
 		 "full?\n"),

@@ -26,7 +26,7 @@ known='params set f_mat=2.18 e0_min=16.74 alpha=0.96'
 "$TIPSPEED" --store=before/store.db data/sites/tierp.csv -c "$known" \
 	-c 'remember date=2026-11-20' -c 'export before/rows.csv' >log 2>&1 &&
 cp data/sites/tierp.csv before/sheet.csv &&
-for f in old.csv old.log old.svg old.png old.tip; do
+for f in old.csv old.log old.svg old.png old.tip old.xlsx old.html; do
 	echo 'as it was' >before/$f || exit
 done &&
 echo "$known; predict 74" >before/script.tip || exit 99
@@ -51,6 +51,8 @@ tour() {
 	save) $under "$TIPSPEED" --store=:memory: sheet.csv -c "$known" \
 		-c 'predict 74 > old.csv; predict 72 >> old.log' \
 		-c 'save old.tip replace=on; write sheets' ;;
+	books) $under "$TIPSPEED" --store=:memory: sheet.csv -c "$known" \
+		-c 'predict 74 > old.xlsx; predict 74 > old.html' ;;
 	esac
 }
 
@@ -168,7 +170,7 @@ system_calls() {
 
 strace -qq -o log true 2>/dev/null
 traced=$?
-for part in ${PARTS-json tables calibrate pictures store save}; do
+for part in ${PARTS-json tables calibrate pictures store save books}; do
 	run $part
 	[ $status -eq 0 ]
 	result $? "$part: without a fault"

@@ -70,23 +70,31 @@ result $? "NUL bytes are refused with their place"
 [ "$(wc -l <out)" -eq 1 ] && ! grep -qi 'error\|disk' log
 result $? "a pipe that closes ends it quietly"
 
-# A locale with a decimal comma, made here: few machines have one.
-if localedef -i sv_SE -f UTF-8 ./sv_SE.UTF-8 >out 2>&1; then
-	LOCPATH=$dir
-	export LOCPATH
-	[ "$(LC_ALL=sv_SE.UTF-8 locale decimal_point)" = , ]
-	result $? "sv_SE.UTF-8 is there"
-	locales='C sv_SE.UTF-8'
-else
-	n=$((n + 1))
-	echo "ok $n - locale sv_SE.UTF-8 # SKIP it cannot be made here"
-	locales=C
-fi
+# Locales with a decimal comma, with another small letter of I, and with control
+# characters among the bytes of UTF-8, made here: few machines have them.
+LOCPATH=$dir
+locales=C
+for locale in sv_SE.UTF-8 tr_TR.UTF-8 sv_SE.ISO-8859-1; do
+	if localedef -i "${locale%.*}" -f "${locale#*.}" ./$locale >out 2>&1; then
+		export LOCPATH
+		[ "$(LC_ALL=$locale locale decimal_point)" = , ]
+		result $? "$locale is there"
+		locales="$locales $locale"
+	else
+		n=$((n + 1))
+		echo "ok $n - locale $locale # SKIP it cannot be made here"
+	fi
+done
 for locale in $locales; do
-	LC_ALL=$locale "$TIPSPEED" data/sites/borlange.csv -c 'set k 1.5' \
-		-c 'use börlange' -c set >out 2>log
+	LC_ALL=$locale "$TIPSPEED" --lang=en data/sites/borlange.csv \
+		-c 'set k 1.5' -c 'use börlange' -c set >out 2>log
 	[ $? -eq 0 ] && grep -q 'k  *1\.5$' out
 	result $? "locale $locale: the decimal sign is a point"
+	LC_ALL=$locale "$TIPSPEED" --lang=en --store=:memory: \
+		data/sites/tierp.csv -c 'params set f_mat=2 e0_min=16 alpha=1' \
+		-c 'figures 72 FINES' -c 'remember "Örebro"' >out 2>log
+	[ $? -eq 0 ] && grep -q '^remembered Örebro' out
+	result $? "locale $locale: FINES is fines, and Ö is a letter"
 done
 
 "$TIPSPEED" data/sites/tierp.csv -c \

@@ -46,6 +46,19 @@ for signal in INT TERM HUP; do
 	grep -q 'calibrated on 69, 79 m/s' out
 	result $? "$signal prints the best so far"
 done
+# nohup: who is to stay after its terminal stays.
+: >log
+(
+	trap '' HUP
+	exec "$TIPSPEED" --store=:memory: data/sites/tierp.csv -c "$run" \
+		</dev/null >out 2>log
+) &
+pid=$!
+searching
+kill -s HUP $pid
+sleep 0.5
+stops TERM 143
+result $? "HUP that is ignored does not end it"
 # Results that go to a file are written when ^C stops what gives them.
 : >log
 env --default-signal=INT "$TIPSPEED" data/sites/tierp.csv \

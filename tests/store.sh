@@ -112,6 +112,32 @@ result $? "and all that they wrote is there"
 [ $reads -eq 0 ]
 result $? "a reader is not kept from reading"
 
+# A row with the digest of a sheet that has more runs than the row, as an editor of
+# text can make it.
+awk 'BEGIN {
+	printf "size_mm,feed"
+	for (k = 0; k < 60; k++)
+		printf ",product@%d", 50 + k
+	for (i = 0; i < 10; i++) {
+		printf "\n%g,%g", 16 / 2 ^ i, 100 - i * 9
+		for (k = 0; k < 60; k++)
+			printf ",%g", 100 - i * 8
+	}
+	print ""
+}' >runs.csv
+"$TIPSPEED" --store=few.db data/sites/tierp.csv \
+	-c 'calibrate population=64 generations=2' -c 'save own.tip' \
+	-c 'remember few; export few.csv' >out 2>log
+"$TIPSPEED" --store=few.db runs.csv -c 'save runs.tip' >out 2>log
+digests=$(sed -n 's/.*digest=//p' own.tip runs.tip | paste -sd /)
+sed "s/$digests/" few.csv >false.csv
+! cmp -s few.csv false.csv &&
+	"$TIPSPEED" --store=false.db -c 'import false.csv' 2>log &&
+	"$TIPSPEED" --store=false.db runs.csv -c 'recall few' >out 2>log
+[ $? -eq 0 ] && grep -q 'runs: parameters from store: few' log
+result $? "runs of a row with a false digest are not taken for those of a sheet"
+remark log
+
 # A full disk: a limit on the size of files that is met in the middle.
 cp to.db full.db
 before=$(own full.db | wc -l)
@@ -160,6 +186,26 @@ status=$?
 [ $status -eq 0 ] && grep -q '^  i-600 ' out
 result $? "a store in a read-only folder can be read"
 remark log
+chmod 000 closed
+for store in closed/s.db sheet.csv/s.db; do
+	$as_other ./tipspeed --store=$store -c 'materials origin=own' >out 2>log
+	[ $? -eq 5 ] && grep -q "^-c:1:1: $store: the store cannot be opened" log
+	result $? "it cannot be reached: $store"
+	remark log
+done
+chmod 555 closed
+# A file that cannot be replaced there is told before the command runs.
+chmod 755 closed
+echo old >closed/out.csv
+chmod 666 closed/out.csv
+chmod 555 closed
+$as_other ./tipspeed --store=:memory: -c 'load none.csv > closed/out.csv' 2>log
+[ $? -eq 5 ] && grep -q 'cannot write closed/out.csv: Permission denied' log
+result $? "a file in a read-only folder cannot be replaced"
+remark log
+$as_other ./tipspeed --store=:memory: -c 'echo more >> closed/out.csv' 2>log &&
+	[ "$(paste -sd ' ' closed/out.csv)" = 'old more' ]
+result $? "but added to"
 for store in closed/s.db closed/new.db none/new.db "$dir"; do
 	$as_other ./tipspeed --store="$store" sheet.csv \
 		-c "$params" -c remember >out 2>log

@@ -120,6 +120,8 @@ for word in 'stdio\.h' 'time\.h' 'signal\.h' 'getenv' 'unistd\.h' 'locale\.h' \
 	grep -rnwE "$word" src/core >"$tmp"
 	none "core is free of $word"
 done
+grep -rnE 'str(n?casecmp|coll)\(|iscntrl' src >"$tmp"
+none "the locale does not say which letters are the same"
 grep -lE 'sqlite3\.h' -r src | grep -v '^src/io/' >"$tmp"
 none "SQLite in io only"
 grep -lE 'cairo' -r src | grep -v '^src/plot/' >"$tmp"

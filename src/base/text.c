@@ -362,6 +362,16 @@ text_is_same_folded(const char *a, const char *b)
 	return strcmp(fold_a, fold_b) == 0;
 }
 
+bool
+text_is_same_but_case(const char *a, const char *b, size_t n)
+{
+	size_t i = 0;
+	while (i < n && a[i] != '\0' &&
+	       ascii_to_lower(a[i]) == ascii_to_lower(b[i]))
+		i++;
+	return i == n || (a[i] == '\0' && b[i] == '\0');
+}
+
 size_t
 text_file_ending(const char *path, const char *const *ends, size_t n)
 {
@@ -518,10 +528,10 @@ text_read_line(char **text, size_t *n, size_t *room, FILE *in)
 		bool alone = c == '\r' && ungetc(getc(in), in) != '\n';
 		c = alone ? '\n' : c;
 	}
-	if (*n == from || ferror(in))
+	if (*n == from)
 		return TEXT_END;
 	(*text)[*n] = '\0';
-	return TEXT_LINE;
+	return ferror(in) ? TEXT_END : TEXT_LINE;
 }
 
 uint64_t

@@ -89,6 +89,11 @@ bool text_ends_with(const char *s, const char *end);
  * it has none of them. */
 size_t text_file_ending(const char *path, const char *const *ends, size_t n);
 
+/* True if two texts or, if longer, their first n bytes differ only in the case
+ * of the letters of ASCII.  strcasecmp depends on the locale: in Turkish, I and
+ * i are different letters. */
+bool text_is_same_but_case(const char *a, const char *b, size_t n);
+
 /* True if two words are the same, ignoring case and accents. */
 bool text_is_same_folded(const char *a, const char *b);
 

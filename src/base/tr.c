@@ -6,8 +6,8 @@
 #include <locale.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/text.h"
 #include "config.h"
 
 #if HAVE_LIBINTL
@@ -124,8 +124,7 @@ static bool
 is_word_or_its_first_letter(const char *said, const char *word)
 {
 	bool letter = said[0] != '\0' && said[1] == '\0';
-	return letter ? strncasecmp(said, word, 1) == 0
-		      : strcasecmp(said, word) == 0;
+	return text_is_same_but_case(said, word, letter ? 1 : SIZE_MAX);
 }
 
 bool

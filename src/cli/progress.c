@@ -64,7 +64,8 @@ print_progress_line(const struct session *s, struct progress *p,
 	/* Leaves room for the echo of ^C. */
 	int room = columns > 12 ? columns - 3 : 9;
 	if (width > room)
-		text[width = room] = '\0';
+		text[text_bytes_up_to_limit(text, (size_t)room)] = '\0';
+	width = width > room ? room : width;
 	fprintf(stderr, "\r%s%*s", text,
 	    on_screen > width ? on_screen - width : 0, "");
 	on_screen = width;
@@ -85,15 +86,6 @@ print_generation_row_if_due(
 	p->row = st->generation;
 	fprintf(stderr, tr("  generation %4zu  best %.6g  median %.6g\n"),
 	    st->generation, st->best, st->median);
-}
-
-/* Returns true if a plot of the search is to be shown.  For that, the terminal
- * must be able to move its cursor up and to clear what is below it. */
-static bool
-can_plot_search_progress(const struct session *s, const struct progress *p)
-{
-	return p->terminal && s->job.watch && s->job.fits && !s->linear &&
-	       !terminal_is_dumb();
 }
 
 /* Draws all runs and what the best candidate predicts for them, over the plot
@@ -154,7 +146,10 @@ print_progress(struct session *s, struct progress *p)
 	if (!session_is_calibrating(s) || s->notes == NULL)
 		return;
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	if (can_plot_search_progress(s, p))
+	/* For a plot, the terminal must be able to move its cursor up and to
+	 * clear what is below it. */
+	if (p->terminal && s->job.watch && s->job.fits && !s->linear &&
+	    !terminal_is_dumb())
 		show_search_plot_and_progress(s, p, &st);
 	else if (p->terminal)
 		print_progress_line(s, p, &st);

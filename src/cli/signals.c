@@ -41,11 +41,14 @@ on_file_size_limit(int signal)
 void
 signals_catch(void)
 {
-	struct sigaction action = {.sa_handler = on_ending_signal};
+	struct sigaction action = {.sa_handler = on_ending_signal}, was;
 	sigemptyset(&action.sa_mask);
 	sigaction(SIGINT, &action, NULL);
 	sigaction(SIGTERM, &action, NULL);
-	sigaction(SIGHUP, &action, NULL);
+	sigaction(SIGHUP, &action, &was);
+	/* nohup; the full screen needs it at the end of its terminal. */
+	if (was.sa_handler == SIG_IGN && !isatty(STDIN_FILENO))
+		sigaction(SIGHUP, &was, NULL);
 	/* A write beyond the limit then fails as on a full disk.  A handler,
 	 * because shells started by the program would inherit SIG_IGN. */
 	action.sa_handler = on_file_size_limit;

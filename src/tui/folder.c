@@ -334,7 +334,9 @@ unpacked_size_of_file(const char *path, double bytes)
 		return bytes;
 	FREED char *content = textfile_read_bytes(path, &n, &errors);
 	struct archive *archive =
-	    content != NULL ? archive_open(content, n, &wrong) : NULL;
+	    content != NULL
+		? archive_open(content, n, ARCHIVE_MOST_BYTES, &wrong)
+		: NULL;
 	if (archive != NULL)
 		bytes = archive_unpacked_size(archive) / UNPACKED_TIMES;
 	archive_close(archive);

@@ -157,13 +157,13 @@ what_is_no_file_is_written_to_or_refused(void **state)
 	assert_false(file_replace_contents(".", FILE_SHARED, "x", 1, &error));
 	assert_int_equal(error.kind, ERROR_SYSTEM);
 	assert_non_null(strstr(error.text, "Is a directory"));
-	assert_false(file_check_writable(".", NULL));
+	assert_false(file_check_writable(".", false, NULL));
 	assert_false(file_append_bytes(".", FILE_SHARED, "x", 1, NULL));
 	assert_false(
 	    file_replace_contents("none/x", FILE_SHARED, "x", 1, &error));
 	assert_non_null(strstr(error.text, "none/x: No such file"));
-	assert_false(file_check_writable("none/x", NULL));
-	assert_true(file_check_writable("x", NULL));
+	assert_false(file_check_writable("none/x", false, NULL));
+	assert_true(file_check_writable("x", false, NULL));
 	assert_int_equal(symlink("round", "round"), 0);
 	assert_false(
 	    file_replace_contents("round", FILE_SHARED, "x", 1, &error));

@@ -1,6 +1,7 @@
 /* What was not saved is kept, of each program by itself, and comes back.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <dirent.h>
+#include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -300,6 +301,10 @@ two_at_a_time_keep_what_each_has(void **state)
 	assert_non_null(strstr(one->out, "\"1 command, Bro\""));
 	assert_non_null(strstr(one->out, "\"1 command, Tierp\""));
 	assert_non_null(strstr(one->out, file[0].path));
+	/* As far from now as the file system goes: a tmpfs has no limit. */
+	const struct timespec far[2] = {{INT64_MAX, 0}, {INT64_MAX, 0}};
+	assert_int_equal(utimensat(AT_FDCWD, file[0].path, far, 0), 0);
+	assert_true(say(one, "restore"));
 	autosave_left_free(file, n);
 }
 

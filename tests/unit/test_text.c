@@ -1,6 +1,7 @@
 /* Text: numbers, names, widths and digests, the same in every locale; and the
  * list of errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* fopencookie */
 #include <locale.h>
 #include <math.h>
 #include <setjmp.h>
@@ -62,6 +63,53 @@ numbers_have_a_point_in_every_locale(void **state)
 {
 	(void)state;
 	in_each_locale(check_numbers);
+}
+
+static void
+check_letters(void)
+{
+	assert_true(text_is_same_but_case("FINES", "fines", SIZE_MAX));
+	assert_true(text_is_same_but_case("fines", "FIne", 4));
+	assert_true(text_is_same_but_case("", "", 3));
+	assert_false(text_is_same_but_case("fine", "fines", SIZE_MAX));
+	assert_false(text_is_same_but_case("fines", "fine", 5));
+	assert_false(text_is_same_but_case("\xC3\xA5", "\xC3\x85", 2));
+}
+
+static void
+letters_are_those_of_ascii_in_every_locale(void **state)
+{
+	(void)state;
+	in_each_locale(check_letters);
+}
+
+/* Gives 60 bytes, and then an error. */
+static ssize_t
+read_and_fail(void *left, char *to, size_t n)
+{
+	size_t *more = left;
+	if (*more == 0)
+		return -1;
+	n = n < *more ? n : *more;
+	memset(to, 'x', n);
+	*more -= n;
+	return (ssize_t)n;
+}
+
+static void
+a_line_that_cannot_be_read_to_its_end_has_one(void **state)
+{
+	size_t left = 60, n = 0, room = 100;
+	char *text = xcalloc(room, 1);
+	(void)state;
+	memset(text, 'y', room);
+	FILE *in = fopencookie(
+	    &left, "r", (cookie_io_functions_t){.read = read_and_fail});
+	assert_int_equal(text_read_line(&text, &n, &room, in), TEXT_END);
+	assert_int_equal(n, 60);
+	assert_int_equal(text[60], '\0');
+	fclose(in);
+	free(text);
 }
 
 static void
@@ -445,6 +493,8 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(numbers_have_a_point_in_every_locale),
+	    cmocka_unit_test(letters_are_those_of_ascii_in_every_locale),
+	    cmocka_unit_test(a_line_that_cannot_be_read_to_its_end_has_one),
 	    cmocka_unit_test(whole_numbers_go_to_2_to_the_64),
 	    cmocka_unit_test(any_double_comes_back_to_the_bit),
 	    cmocka_unit_test(exact_is_as_short_as_can_be),

@@ -73,6 +73,8 @@ what_changes_nothing_makes_no_step(void **state)
 	desk_expect(desk, "predict 74; sweep 70..75; show; sites; set; seed; "
 			  "params; bounds; use tierp; seed 1; echo a; check");
 	assert_false(desk_say(desk, "bounds alpha 3..1"));
+	assert_false(desk_say(desk, "set level=90 goal=nonsense"));
+	assert_false(desk_say(desk, "set level=90 energy=none.csv"));
 	assert_false(desk_say(desk, "use nobody"));
 	assert_int_equal(undo_count_steps(desk->session), depth);
 }

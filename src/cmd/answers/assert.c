@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -49,7 +48,7 @@ find_asserted_value(const struct session *s, const char *word, double *value)
 {
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++) {
 		const struct asserted *a = &ASSERTED_NAMES[i];
-		if (strcasecmp(word, a->name) != 0)
+		if (!text_is_same_folded(word, a->name))
 			continue;
 		*value = session_number_in_last_answer(s, a->from, a->path);
 		return true;

@@ -7,7 +7,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -39,8 +38,8 @@ static const struct extreme *
 find_extreme_word(const char *text)
 {
 	for (size_t i = 0; i < ARRAY_LEN(EXTREMES); i++)
-		if (strncasecmp(
-			text, EXTREMES[i].word, strlen(EXTREMES[i].word)) == 0)
+		if (text_is_same_but_case(
+			text, EXTREMES[i].word, strlen(EXTREMES[i].word)))
 			return &EXTREMES[i];
 	return NULL;
 }
@@ -205,7 +204,7 @@ rewrite_value_first_condition(const char *text)
 	char sign = '=';
 	for (size_t i = 0; i < ARRAY_LEN(LIMIT_WORDS) && sign == '='; i++) {
 		const char *words = LIMIT_WORDS[i].words + 1;
-		if (strncasecmp(text, words, strlen(words)) != 0)
+		if (!text_is_same_but_case(text, words, strlen(words)))
 			continue;
 		sign = LIMIT_WORDS[i].sign;
 		text += strlen(words);

@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -176,7 +175,7 @@ text_after_quantity_kind(const char *text, enum quantity_kind kind)
 	const char *word = KINDS[kind].word;
 	size_t n = word != NULL ? strlen(word) : 0;
 	bool alone = strstr(KINDS[kind].typed, "%s") == NULL;
-	if (n == 0 || strncasecmp(text, word, n) != 0 ||
+	if (n == 0 || !text_is_same_but_case(text, word, n) ||
 	    (alone && text[n] != '\0'))
 		return NULL;
 	return text + n + strspn(text + n, " _-");
@@ -215,7 +214,7 @@ quantities_word_before_size(const char *text, bool *retained)
 	*retained = false;
 	for (size_t i = 0; i < ARRAY_LEN(BEFORE); i++) {
 		size_t n = strlen(BEFORE[i].word);
-		if (strncasecmp(text, BEFORE[i].word, n) != 0)
+		if (!text_is_same_but_case(text, BEFORE[i].word, n))
 			continue;
 		*retained = BEFORE[i].retained;
 		return n;
@@ -242,7 +241,7 @@ parse_quantity_by_kind(
 		q->kind = QUANTITY_PASSING;
 		rest = text + word;
 	}
-	if (strcasecmp(text, "fines") == 0) {
+	if (text_is_same_folded(text, "fines")) {
 		q->kind = QUANTITY_PASSING;
 		q->x = QUANTITIES_FINES;
 		q->letter = 'f';
@@ -284,11 +283,11 @@ quantities_is_beginning_of_text(const char *text)
 	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++) {
 		const char *first = KINDS[i].word;
 		if (first != NULL && strcspn(first, " ") == n &&
-		    strncasecmp(first, word, n) == 0)
+		    text_is_same_but_case(first, word, n))
 			return true;
 	}
 	for (size_t i = 0; i < ARRAY_LEN(BEFORE); i++)
-		if (n > 0 && strncasecmp(BEFORE[i].word, word, n) == 0 &&
+		if (n > 0 && text_is_same_but_case(BEFORE[i].word, word, n) &&
 		    BEFORE[i].word[n] == ' ')
 			return true;
 	return quantities_parse_one(word, &PARTITION_IDEAL, &q, &error);

@@ -390,7 +390,7 @@ write_energy_file(
 	if (!check_energy_file_operand(args, error) ||
 	    energies_last_read(s, error) == NULL ||
 	    !file_check_csv_name(path, error) ||
-	    !files_may_write(s, path, error) ||
+	    !files_may_write(s, path, false, error) ||
 	    !files_confirm_replace(s, path, error) ||
 	    !file_replace_using_writer(
 		path, FILE_SHARED, print_energy_file, s->energy, error))

@@ -202,12 +202,14 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; SETTINGS[i].name != NULL; i++) {
 		if (!args->value[i].given)
 			continue;
-		if (SETTINGS[i].kind == VALUE_FILE &&
-		    !energies_use_file_in_model(s, args->value[i].text, error))
+		if ((SETTINGS[i].kind == VALUE_FILE &&
+			!energies_use_file_in_model(
+			    s, args->value[i].text, error)) ||
+		    !check_setting_value(
+			s, &SETTINGS[i], &args->value[i], error)) {
+			s->set = was;
 			return false;
-		if (!check_setting_value(
-			s, &SETTINGS[i], &args->value[i], error))
-			return false;
+		}
 		settings_set_value(&SETTINGS[i], &args->value[i], &s->set);
 		any = true;
 	}
@@ -269,7 +271,7 @@ may_overwrite_script(const struct session *s, const struct args *args,
 	bool again = holder != NULL && strcmp(holder, path) == 0;
 	if (!again)
 		return files_may_overwrite(s, args, path, error);
-	return file_check_writable(path, error) &&
+	return file_check_writable(path, false, error) &&
 	       (saved || files_check_replace(args, path, error));
 }
 

@@ -181,11 +181,12 @@ is_store_file(const struct session *s, const struct stat *file)
 }
 
 bool
-files_may_write(const struct session *s, const char *path, struct error *error)
+files_may_write(
+    const struct session *s, const char *path, bool append, struct error *error)
 {
 	struct stat file;
 	if (stat(path, &file) != 0 || !S_ISREG(file.st_mode))
-		return file_check_writable(path, error);
+		return file_check_writable(path, append, error);
 	bool store = is_store_file(s, &file);
 	bool script =
 	    is_path_of_same_file(files_session_script_path(s, NULL), &file);
@@ -199,7 +200,7 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 			: N_("%s was read by this session and cannot be "
 			     "overwritten\nuse another file name"),
 		    path);
-	return file_check_writable(path, error);
+	return file_check_writable(path, append, error);
 }
 
 bool
@@ -219,7 +220,7 @@ files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error)
 {
 	return file_check_csv_name(path, error) &&
-	       files_may_write(s, path, error) &&
+	       files_may_write(s, path, false, error) &&
 	       files_check_replace(args, path, error);
 }
 

@@ -27,11 +27,12 @@ void files_set_session_script_path(
  * NULL: the session was saved to it. */
 const char *files_session_script_path(const struct session *s, bool *saved);
 
-/* True if the file can be written and is neither one that the session has read
- * (a sheet, script, envelope or the store), under whatever name, nor the script
- * that holds it.  Otherwise sets an error of kind ERROR_SYSTEM. */
-bool files_may_write(
-    const struct session *s, const char *path, struct error *error);
+/* True if the file can be replaced, or appended to, and is neither one that the
+ * session has read (a sheet, script, envelope or the store), under whatever
+ * name, nor the script that holds it.  Otherwise sets an error of kind
+ * ERROR_SYSTEM. */
+bool files_may_write(const struct session *s, const char *path, bool append,
+    struct error *error);
 
 /* Returns false, with an error of kind ERROR_USAGE, if the file exists and the
  * call does not say replace=on. */

@@ -185,7 +185,8 @@ struct redirect *
 redirect_open(struct session *s, const struct command *command,
     const struct words *words, struct error *error)
 {
-	if (words->to != TO_PIPE && !files_may_write(s, words->target, error))
+	if (words->to != TO_PIPE &&
+	    !files_may_write(s, words->target, words->to == TO_APPEND, error))
 		return NULL;
 	if (words->to == TO_FILE &&
 	    !files_confirm_replace(s, words->target, error))
@@ -270,9 +271,9 @@ write_redirected_output(
     struct session *s, struct redirect *r, struct error *error)
 {
 	/* The command may have read this file after redirect_open. */
-	if (!files_may_write(s, r->target, error))
-		return false;
 	bool whole = r->to == TO_FILE;
+	if (!files_may_write(s, r->target, !whole, error))
+		return false;
 	bool (*write)(const char *, enum file_rights, const char *, size_t,
 	    struct error *) = whole ? file_replace_contents : file_append_bytes;
 	if (!write(r->target, FILE_SHARED, r->text, r->n, error))

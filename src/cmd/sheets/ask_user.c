@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -358,7 +357,8 @@ parse_rotor_answer(const char *said, struct user_answers *into, char *wrong)
 static bool
 is_abbreviation_of(const char *said, const char *word)
 {
-	return said[0] != '\0' && strncasecmp(word, said, strlen(said)) == 0;
+	return said[0] != '\0' &&
+	       text_is_same_but_case(word, said, strlen(said));
 }
 
 /* Y or Enter accepts the size offered; a number replaces it. */

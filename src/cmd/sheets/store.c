@@ -182,7 +182,8 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 		session_take_ownership_of_site(s, b.then);
 	struct entry *entry = &s->entry[*index];
 	/* A site made by synth has more digits than its sheet. */
-	bool made = b.now == NULL && does_digest_match_material(entry->site, m);
+	bool made = b.now == NULL && entry->site->n_run == b.then->n_run &&
+		    does_digest_match_material(entry->site, m);
 	struct history *h = history_new(
 	    &b.fit, &b.bounds, b.weight, made ? entry->site : b.then, b.train);
 	bool own = has_all_runs_of(entry->site, h->site);

@@ -9,15 +9,13 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-enum { MOST_BYTES = 50 * 1000 * 1000 };
-
 struct archive {
 	zip_t *zip;
-	size_t unpacked;
+	size_t unpacked, most;
 };
 
 struct archive *
-archive_open(const char *bytes, size_t n, char **wrong)
+archive_open(const char *bytes, size_t n, size_t most, char **wrong)
 {
 	zip_error_t error;
 	zip_error_init(&error);
@@ -29,6 +27,7 @@ archive_open(const char *bytes, size_t n, char **wrong)
 	if (zip != NULL) {
 		archive = xcalloc(1, sizeof *archive);
 		archive->zip = zip;
+		archive->most = most;
 	} else {
 		*wrong = xstrdup(zip_error_strerror(&error));
 		zip_source_free(source);
@@ -50,6 +49,12 @@ bool
 archive_has_entry(const struct archive *archive, const char *name)
 {
 	return zip_name_locate(archive->zip, name, ZIP_FL_NOCASE) >= 0;
+}
+
+const char *
+archive_entry_name(const struct archive *archive, size_t i)
+{
+	return zip_get_name(archive->zip, i, 0);
 }
 
 double
@@ -75,7 +80,7 @@ unpack_entry_to_end(struct archive *archive, zip_file_t *file, size_t *n)
 	char *bytes = NULL;
 	zip_int64_t got = 1;
 	*n = 0;
-	for (size_t room = 0; got > 0 && archive->unpacked <= MOST_BYTES;) {
+	for (size_t room = 0; got > 0 && archive->unpacked <= archive->most;) {
 		if (*n == room) {
 			room = room * 2 + 65536;
 			bytes = xrealloc(bytes, room + 1, 1);
@@ -111,9 +116,9 @@ archive_unpack_entry(
 	zip_file_t *file = zip_fopen_index(archive->zip, (zip_uint64_t)at, 0);
 	char *bytes =
 	    file != NULL ? unpack_entry_to_end(archive, file, n) : NULL;
-	if (bytes == NULL && archive->unpacked > MOST_BYTES)
-		*wrong = xasprintf(
-		    tr("more than %d MB unpacked"), MOST_BYTES / 1000000);
+	if (bytes == NULL && archive->unpacked > archive->most)
+		*wrong = xasprintf(tr("more than %d MB unpacked"),
+		    (int)(archive->most / 1000000));
 	else if (bytes == NULL)
 		*wrong = xasprintf("%s: %s", name,
 		    file != NULL ? zip_file_strerror(file)

@@ -6,17 +6,25 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* An archive in memory.  It unpacks at most 50 MB in all, so a small file
- * cannot exhaust memory. */
+/* An archive in memory. */
 struct archive;
 
-/* Opens the archive in bytes [n], which must outlive it.  Returns NULL if they
- * are not a zip archive, with the reason in *wrong, which the caller frees. */
-struct archive *archive_open(const char *bytes, size_t n, char **wrong);
+/* What is unpacked of another's archive at most, in all, so that a small file
+ * cannot exhaust memory. */
+enum { ARCHIVE_MOST_BYTES = 50 * 1000 * 1000 };
+
+/* Opens the archive in bytes [n], which must outlive it, to unpack at most so
+ * many bytes.  Returns NULL if they are not a zip archive, with the reason in
+ * *wrong, which the caller frees. */
+struct archive *archive_open(
+    const char *bytes, size_t n, size_t most, char **wrong);
 void archive_close(struct archive *archive);
 
 /* True if the archive contains a part with this name, ignoring case. */
 bool archive_has_entry(const struct archive *archive, const char *name);
+
+/* Returns the name of a part, counted from 0, or NULL after the last. */
+const char *archive_entry_name(const struct archive *archive, size_t i);
 
 /* Returns the total unpacked size of the parts, in bytes, as the archive states
  * it. */

@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "io/cells/datetime.h"
 
@@ -83,13 +83,14 @@ struct cell_format
 cell_format_of_code(const char *code)
 {
 	/* m means minutes, as in m:ss */
-	struct said said = {.time = strncasecmp(code, "m:s", 3) == 0 ||
-				    strncasecmp(code, "mm:s", 4) == 0};
+	struct said said = {.time = text_is_same_but_case(code, "m:s", 3) ||
+				    text_is_same_but_case(code, "mm:s", 4)};
 	static const char *const PLAIN[] = {"General", "Standard"};
 	for (const char *p = code; *p != '\0' && *p != ';';) {
 		size_t plain = 0;
 		for (size_t i = 0; i < ARRAY_LEN(PLAIN); i++)
-			if (strncasecmp(p, PLAIN[i], strlen(PLAIN[i])) == 0)
+			if (text_is_same_but_case(
+				p, PLAIN[i], strlen(PLAIN[i])))
 				plain = strlen(PLAIN[i]);
 		if (plain > 0)
 			p += plain;

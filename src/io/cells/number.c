@@ -6,7 +6,6 @@
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -164,7 +163,7 @@ is_mark_for_missing(const char *text)
 	    "nan", "#n/a", "none", "null", "nd", "n.d.", "ej", "k.a.", "?",
 	    "not used", "saknas", "s/d", "bdl", "brak", "n.b."};
 	for (size_t i = 0; i < ARRAY_LEN(ABSENT); i++)
-		if (strcasecmp(text, ABSENT[i]) == 0)
+		if (text_is_same_but_case(text, ABSENT[i], SIZE_MAX))
 			return true;
 	return false;
 }
@@ -176,7 +175,7 @@ is_word_for_trace(const char *text)
 	static const char *const TRACE[] = {"trace", "traces", "tr", "tr.",
 	    "sp\xC3\xA5r", "spuren", "trazas", "tracce"};
 	for (size_t i = 0; i < ARRAY_LEN(TRACE); i++)
-		if (strcasecmp(text, TRACE[i]) == 0)
+		if (text_is_same_but_case(text, TRACE[i], SIZE_MAX))
 			return true;
 	return false;
 }

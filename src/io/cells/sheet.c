@@ -299,8 +299,8 @@ const char *
 sheet_parse_cell_address(const char *p, int *column, int *line)
 {
 	*column = *line = 0;
-	for (; isalpha((unsigned char)*p) && *column < 1000; p++)
-		*column = 26 * *column + (toupper((unsigned char)*p) - 'A') + 1;
+	for (unsigned i; (i = (*p | 32u) - 'a') < 26 && *column < 1000; p++)
+		*column = 26 * *column + (int)i + 1;
 	for (; isdigit((unsigned char)*p) && *line < 1000000; p++)
 		*line = 10 * *line + (*p - '0');
 	return *column > 0 && *line > 0 ? p : NULL;

@@ -94,7 +94,8 @@ static bool
 read_zip_to_grid(const char *bytes, size_t n, struct sheets *grid)
 {
 	FREED char *wrong = NULL;
-	struct archive *archive = archive_open(bytes, n, &wrong);
+	struct archive *archive =
+	    archive_open(bytes, n, ARCHIVE_MOST_BYTES, &wrong);
 	bool good = archive != NULL ? read_archive_to_grid(archive, grid)
 				    : refuse_damaged_workbook(grid, wrong);
 	archive_close(archive);

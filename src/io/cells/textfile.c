@@ -28,26 +28,6 @@ offset_of_control_character(const char *text, size_t n)
 	return i;
 }
 
-struct place {
-	int line, column;
-};
-
-static struct place
-textfile_line_and_column_at(const char *text, size_t offset)
-{
-	struct place place = {1, 1};
-	for (size_t i = 0; i < offset; i++) {
-		bool pair = text[i] == '\r' && text[i + 1] == '\n';
-		if (text[i] == '\n' || (text[i] == '\r' && !pair)) {
-			place.line++;
-			place.column = 1;
-		} else if ((text[i] & 0xC0) != 0x80) {
-			place.column++;
-		}
-	}
-	return place;
-}
-
 static bool
 textfile_is_blank(const char *bytes, size_t n)
 {
@@ -72,9 +52,18 @@ static char *
 refuse_invalid_text(const char *path, const char *text, size_t bad,
     const char *what, struct error_list *errors)
 {
-	struct place at = textfile_line_and_column_at(text, bad);
-	error_set_at(error_list_add_item(errors), ERROR_DATA, path, at.line,
-	    at.column,
+	int line = 1, column = 1;
+	for (size_t i = 0; i < bad; i++) {
+		bool pair = text[i] == '\r' && text[i + 1] == '\n';
+		if (text[i] == '\n' || (text[i] == '\r' && !pair)) {
+			line++;
+			column = 1;
+		} else if ((text[i] & 0xC0) != 0x80) {
+			column++;
+		}
+	}
+	error_set_at(error_list_add_item(errors), ERROR_DATA, path, line,
+	    column,
 	    "%s\n"
 	    "save the spreadsheet as .xlsx, .ods or \"CSV UTF-8\"",
 	    tr(what));
@@ -160,14 +149,6 @@ report_unreadable_file(
 	return NULL;
 }
 
-static bool
-is_null_device(const struct stat *about)
-{
-	struct stat null;
-	return stat("/dev/null", &null) == 0 && S_ISCHR(about->st_mode) &&
-	       about->st_rdev == null.st_rdev;
-}
-
 /* Returns true if there is something to read, or the end of the file. */
 static bool
 wait_until_pipe_is_readable(int fd, const char **why)
@@ -183,7 +164,7 @@ wait_until_pipe_is_readable(int fd, const char **why)
 FILE *
 textfile_open(const char *path, const char **why)
 {
-	struct stat about;
+	struct stat about, null;
 	FILE *file = NULL;
 	/* Without O_NONBLOCK, open would wait for a pipe's writer for ever. */
 	int fd = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
@@ -195,7 +176,9 @@ textfile_open(const char *path, const char **why)
 	*why = strerror(errno);
 	if (good && S_ISFIFO(about.st_mode))
 		good = wait_until_pipe_is_readable(fd, why);
-	else if (good && !S_ISREG(about.st_mode) && !is_null_device(&about)) {
+	else if (good && !S_ISREG(about.st_mode) &&
+		 (!S_ISCHR(about.st_mode) || stat("/dev/null", &null) != 0 ||
+		     about.st_rdev != null.st_rdev)) {
 		good = false;
 		*why = tr("expected a file or a pipe, got a device");
 	}

@@ -87,7 +87,7 @@ xml_on_element_begin(
 		xml_stop_with_fault(
 		    r, tr("its elements are nested too deeply"));
 	stop_parsing_if_interrupted(r);
-	if (r->wrong == NULL)
+	if (r->wrong == NULL && r->events->begin != NULL)
 		r->events->begin(r->data, xml_local_name(name),
 		    (const char *const *)attribute);
 }

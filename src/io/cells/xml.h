@@ -10,7 +10,7 @@
 
 /* begin, end: called for an element, with its name without the prefix.  text:
  * called with n bytes of UTF-8, possibly only part of the text between two
- * tags.  end and text may be NULL. */
+ * tags.  Each may be NULL. */
 struct xml_events {
 	void (*begin)(
 	    void *data, const char *name, const char *const *attribute);

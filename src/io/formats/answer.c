@@ -10,7 +10,6 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -1096,7 +1095,7 @@ is_markup_character(const char *text, const char *p)
 	if (*p == ':')
 		return strncmp(p, "://", 3) == 0;
 	if (*p == '.')
-		return p >= text + 3 && strncasecmp(p - 3, "www", 3) == 0;
+		return p >= text + 3 && text_is_same_but_case(p - 3, "www", 3);
 	if (*p == '+' || *p == '-')
 		return p == text && p[1] != '\0' &&
 		       !isdigit((unsigned char)p[1]);

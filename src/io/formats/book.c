@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/cells/number.h"
+#include "io/cells/xml.h"
 
 /* Numbers with up to DECIMALS - 1 decimals have a format of their own. */
 enum { DECIMALS = 5 };
@@ -463,6 +465,25 @@ read_whole_file(int fd, size_t *n)
 	return bytes;
 }
 
+/* Returns what is wrong with a part of a workbook, or NULL.  libxlsxwriter
+ * writes each part to a temporary file, and takes no notice if that fails. */
+static char *
+find_damaged_part(const char *bytes, size_t n)
+{
+	static const struct xml_events NONE = {NULL, NULL, NULL};
+	struct error_list errors = {0};
+	char *wrong = NULL;
+	const char *name;
+	struct archive *archive = archive_open(bytes, n, SIZE_MAX, &wrong);
+	for (size_t i = 0;
+	     wrong == NULL && (name = archive_entry_name(archive, i)) != NULL;
+	     i++)
+		wrong =
+		    xml_parse_archive_part(archive, name, &NONE, NULL, &errors);
+	archive_close(archive);
+	return wrong;
+}
+
 char *
 book_finish_to_bytes(struct book *b, size_t *n, struct error *error)
 {
@@ -470,11 +491,15 @@ book_finish_to_bytes(struct book *b, size_t *n, struct error *error)
 	errno = 0;
 	lxw_error code = workbook_close(b->workbook);
 	char *bytes = code == LXW_NO_ERROR ? read_whole_file(b->fd, n) : NULL;
-	if (bytes == NULL)
+	const char *why = errno != 0 ? strerror(errno) : lxw_strerror(code);
+	FREED char *wrong = bytes != NULL ? find_damaged_part(bytes, *n) : NULL;
+	if (bytes == NULL || wrong != NULL) {
 		error_set(error, ERROR_SYSTEM,
 		    "cannot make the workbook: %s\nset TMPDIR to a folder with "
 		    "free space",
-		    errno != 0 ? strerror(errno) : lxw_strerror(code));
+		    wrong != NULL ? wrong : why);
+		xfree_and_set(&bytes, NULL);
+	}
 	close_and_free_book(b);
 	return bytes;
 }

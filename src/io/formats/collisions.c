@@ -105,9 +105,7 @@ static bool
 read_next_line(struct reading *r)
 {
 	r->length = 0;
-	enum text_line read =
-	    text_read_line(&r->line, &r->length, &r->room, r->in);
-	if (r->length == 0 || read == TEXT_TOO_LONG)
+	if (text_read_line(&r->line, &r->length, &r->room, r->in) != TEXT_LINE)
 		return false;
 	r->at++;
 	while (r->length > 0 && strchr("\r\n", r->line[r->length - 1]) != NULL)
@@ -459,9 +457,10 @@ collisions_read(const char *path, const struct collisions_way *way,
 		error_set_at(error_list_add_item(errors), ERROR_SYSTEM, path, 0,
 		    0, "cannot read: %s\n%s", why, hint);
 	ok = ok && read_collisions_stream(&r);
-	if (ok && ferror(r.in))
+	if (ok && !feof(r.in)) /* or a line is too long */
 		ok = fault(&r, ERROR_SYSTEM, "cannot be read to its end",
-		    "check the disk");
+		    ferror(r.in) ? N_("check the disk")
+				 : N_("is it the right file?"));
 	if (ok && c->impacts == 0)
 		ok = fault(&r, ERROR_DATA, "expected impacts, got none",
 		    "is it the right file?");

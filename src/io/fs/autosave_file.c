@@ -26,12 +26,6 @@ struct autosave_file {
 	int fd;     /* open on it, with the lock, or -1 */
 };
 
-static char *
-autosave_state_path(const char *name)
-{
-	return xdg_user_file_path("XDG_STATE_HOME", ".local/state", name);
-}
-
 struct autosave_file *
 autosave_file_new(void)
 {
@@ -90,6 +84,8 @@ read_autosave_details(struct autosave_left *file)
 	bool text = text_is_utf8(head, strlen(head));
 	file->about = xstrdup(text ? head + 2 : "?");
 	file->when = info.st_mtim;
+	if (localtime(&file->when.tv_sec) == NULL) /* too far from now */
+		file->when.tv_sec = 0;
 	return true;
 }
 
@@ -107,7 +103,8 @@ struct autosave_left *
 autosave_list_left_files(size_t *n)
 {
 	struct autosave_left *file = NULL;
-	FREED char *folder = autosave_state_path("");
+	FREED char *folder =
+	    xdg_user_file_path("XDG_STATE_HOME", ".local/state", "");
 	DIR *dir = folder != NULL ? opendir(folder) : NULL;
 	*n = 0;
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
@@ -150,13 +147,6 @@ remove_oldest_autosaves(void)
 	autosave_left_free(file, n);
 }
 
-static bool
-report_cannot_create_path(const char *what, int reason, struct error *error)
-{
-	return error_set_at(
-	    error, ERROR_SYSTEM, what, 0, 0, "%s", strerror(reason));
-}
-
 /* Makes an empty file with a new name, which only the user can read.  It keeps
  * its permissions when it is replaced. */
 static bool
@@ -170,19 +160,19 @@ make_autosave_file(struct autosave_file *kept, struct error *error)
 		snprintf(name, sizeof name, "session-%s-%ld.tip", day,
 		    (long)getpid());
 		free(kept->path);
-		kept->path = autosave_state_path(name);
+		kept->path =
+		    xdg_user_file_path("XDG_STATE_HOME", ".local/state", name);
 		if (kept->path == NULL)
 			return error_set(
 			    error, ERROR_SYSTEM, "HOME is not set");
 		FREED char *closed = xdg_make_parent_folders(kept->path);
-		bool made = closed == NULL ||
-			    report_cannot_create_path(closed, errno, error);
-		if (made)
+		if (closed == NULL)
 			fd = open(kept->path,
 			    O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-		if (!made || (fd < 0 && errno != EEXIST))
-			return made && report_cannot_create_path(
-					   kept->path, errno, error);
+		if (fd < 0 && (closed != NULL || errno != EEXIST))
+			return error_set_at(error, ERROR_SYSTEM,
+			    closed != NULL ? closed : kept->path, 0, 0, "%s",
+			    strerror(errno));
 	}
 	kept->fd = fd;
 	flock(fd, LOCK_EX);

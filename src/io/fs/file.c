@@ -41,14 +41,6 @@ file_exists(const char *path)
 	return stat(path, &about) == 0 && !S_ISDIR(about.st_mode);
 }
 
-char *
-file_real_folder(const char *path)
-{
-	size_t n = (size_t)(file_name_without_folders(path) - path);
-	FREED char *folder = n > 0 ? xstrndup(path, n) : xstrdup(".");
-	return realpath(folder, NULL);
-}
-
 const char *
 file_name_without_folders(const char *path)
 {
@@ -56,11 +48,19 @@ file_name_without_folders(const char *path)
 	return slash != NULL ? slash + 1 : path;
 }
 
-/* Returns the folder of a path, with its slash; "" if it has none. */
+/* Returns the folder of a path, with its slash; "./" if it has none. */
 static char *
 folder_of_path(const char *path)
 {
-	return xstrndup(path, (size_t)(file_name_without_folders(path) - path));
+	size_t n = (size_t)(file_name_without_folders(path) - path);
+	return n > 0 ? xstrndup(path, n) : xstrdup("./");
+}
+
+char *
+file_real_folder(const char *path)
+{
+	FREED char *folder = folder_of_path(path);
+	return realpath(folder, NULL);
 }
 
 /* Returns the path that a symbolic link points to, from the link's own folder;
@@ -92,13 +92,12 @@ resolve_symlinks(const char *path)
 	return at;
 }
 
+/* A signal ends it, so that ^C works where nobody reads from a pipe. */
 static bool
 write_all_bytes(int fd, const char *bytes, size_t n)
 {
 	while (n > 0) {
 		ssize_t written = write(fd, bytes, n);
-		if (written < 0 && errno == EINTR)
-			continue;
 		if (written < 0)
 			return false;
 		bytes += written;
@@ -107,26 +106,15 @@ write_all_bytes(int fd, const char *bytes, size_t n)
 	return true;
 }
 
-static bool
-sync_file(int fd)
-{
-	int failed;
-	do
-		failed = fsync(fd);
-	while (failed && errno == EINTR);
-	return !failed;
-}
-
 /* Syncs a folder, because the name of a new file is on disk only then.  Some
  * file systems have nothing to sync there, and report EINVAL. */
 static bool
 sync_folder(const char *folder)
 {
-	int fd = open(
-	    folder[0] != '\0' ? folder : ".", O_RDONLY | O_CLOEXEC | O_NOCTTY);
+	int fd = open(folder, O_RDONLY | O_CLOEXEC | O_NOCTTY);
 	if (fd < 0)
 		return errno == EACCES;
-	bool good = sync_file(fd) || errno == EINVAL;
+	bool good = fsync(fd) == 0 || errno == EINVAL;
 	int reason = errno;
 	close(fd);
 	errno = reason;
@@ -137,7 +125,7 @@ sync_folder(const char *folder)
 static void
 remove_left_over_files(const char *folder)
 {
-	DIR *dir = opendir(folder[0] != '\0' ? folder : ".");
+	DIR *dir = opendir(folder);
 	for (struct dirent *d; dir != NULL && (d = readdir(dir)) != NULL;) {
 		if (strncmp(d->d_name, PREFIX, sizeof PREFIX - 1) != 0 ||
 		    !text_ends_with(d->d_name, SUFFIX))
@@ -212,24 +200,24 @@ write_file_and_rename(const char *path, const struct stat *old,
 	mode_t mode = old != NULL ? old->st_mode & 0777 : rights;
 	remove_left_over_files(folder);
 	int fd = open_new_locked_file(folder, mode, &name);
-	/* Renamed before it is closed, as closing gives up the lock. */
+	/* Renamed before it is closed, as closing gives up the lock.  Once it
+	 * is synced, close has nothing more to report. */
 	bool good = fd >= 0 && (old == NULL || copy_owner_and_mode(fd, old)) &&
-		    write_all_bytes(fd, bytes, n) && sync_file(fd);
-	bool renamed = good && rename(name, path) == 0;
+		    write_all_bytes(fd, bytes, n) && fsync(fd) == 0 &&
+		    rename(name, path) == 0;
 	int reason = errno;
-	if (fd >= 0 && !renamed)
+	if (fd >= 0 && !good)
 		unlink(name);
-	if (fd >= 0 && close(fd) != 0 && renamed && errno != EINTR) {
+	if (fd >= 0)
+		close(fd);
+	if (good && !sync_folder(folder)) {
 		good = false;
-		reason = errno;
-	} else if (renamed) {
-		good = sync_folder(folder);
 		reason = errno;
 	}
 	free(folder);
 	free(name);
 	errno = reason;
-	return good && renamed;
+	return good;
 }
 
 /* Returns false with errno if the path is a folder or cannot be looked up.
@@ -243,16 +231,20 @@ stat_file_to_write(const char *path, struct stat *about, bool *there)
 	return *there ? !S_ISDIR(about->st_mode) : errno == ENOENT;
 }
 
-/* True if standard output goes to the file, as with > /dev/stdout in a script
- * whose output is redirected.  To replace that file would lose what was
- * printed, and to append at its end would be overwritten. */
-static bool
-is_standard_output(const char *path)
+/* Returns the standard stream that goes to the file, as with > /dev/stdout in a
+ * script whose output is redirected, or NULL.  To replace that file would lose
+ * what was printed, and to append at its end would be overwritten. */
+static FILE *
+find_standard_stream(const char *path)
 {
+	FILE *const streams[] = {stdout, stderr};
 	struct stat file, out;
-	return stat(path, &file) == 0 && S_ISREG(file.st_mode) &&
-	       fstat(STDOUT_FILENO, &out) == 0 && file.st_dev == out.st_dev &&
-	       file.st_ino == out.st_ino;
+	bool there = stat(path, &file) == 0 && S_ISREG(file.st_mode);
+	for (size_t i = 0; there && i < ARRAY_LEN(streams); i++)
+		if (fstat(fileno(streams[i]), &out) == 0 &&
+		    file.st_dev == out.st_dev && file.st_ino == out.st_ino)
+			return streams[i];
+	return NULL;
 }
 
 bool
@@ -263,7 +255,8 @@ file_replace_contents(const char *path, enum file_rights rights,
 	bool there;
 	if (!stat_file_to_write(path, &about, &there))
 		return report_cannot_write(path, errno, error);
-	if (there && (!S_ISREG(about.st_mode) || is_standard_output(path)))
+	if (there &&
+	    (!S_ISREG(about.st_mode) || find_standard_stream(path) != NULL))
 		return file_append_bytes(path, rights, bytes, n, error);
 	/* A rename checks only the permissions of the folder. */
 	if (there && access(path, W_OK) != 0)
@@ -316,7 +309,7 @@ append_bytes_or_undo(int fd, const char *bytes, size_t n)
 	if (fstat(fd, &before) != 0)
 		return false;
 	bool file = S_ISREG(before.st_mode);
-	if (write_all_bytes(fd, bytes, n) && (!file || sync_file(fd)))
+	if (write_all_bytes(fd, bytes, n) && (!file || fsync(fd) == 0))
 		return true;
 	int reason = errno;
 	if (file && fstat(fd, &after) == 0 && after.st_size > before.st_size &&
@@ -331,22 +324,17 @@ bool
 file_append_bytes(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error)
 {
-	if (is_standard_output(path))
-		return (fflush(stdout) == 0 &&
-			   write_all_bytes(STDOUT_FILENO, bytes, n)) ||
+	FILE *stream = find_standard_stream(path);
+	if (stream != NULL)
+		return (fflush(stream) == 0 &&
+			   write_all_bytes(fileno(stream), bytes, n)) ||
 		       report_cannot_write(path, errno, error);
-	int fd;
-	do
-		fd = open(path,
-		    O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOCTTY,
-		    rights);
-	while (fd < 0 && errno == EINTR);
+	int fd = open(
+	    path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOCTTY, rights);
 	bool good = fd >= 0 && append_bytes_or_undo(fd, bytes, n);
 	int reason = errno;
-	if (fd >= 0 && close(fd) != 0 && errno != EINTR && good) {
-		good = false;
-		reason = errno;
-	}
+	if (fd >= 0)
+		close(fd);
 	return good || report_cannot_write(path, reason, error);
 }
 
@@ -363,7 +351,7 @@ file_has_sheet_ending(const char *path)
 }
 
 bool
-file_check_writable(const char *path, struct error *error)
+file_check_writable(const char *path, bool append, struct error *error)
 {
 	struct stat about;
 	bool there;
@@ -371,9 +359,9 @@ file_check_writable(const char *path, struct error *error)
 		return report_cannot_write(path, errno, error);
 	FREED char *target = resolve_symlinks(path),
 		   *folder = folder_of_path(target);
-	bool ok =
-	    there ? access(path, W_OK) == 0
-		  : access(folder[0] != '\0' ? folder : ".", W_OK | X_OK) == 0;
-	int reason = errno;
-	return ok || report_cannot_write(path, reason, error);
+	bool in_place = there && (append || !S_ISREG(about.st_mode) ||
+				     find_standard_stream(path) != NULL);
+	bool ok = (!there || access(path, W_OK) == 0) &&
+		  (in_place || access(folder, W_OK | X_OK) == 0);
+	return ok || report_cannot_write(path, errno, error);
 }

@@ -54,8 +54,9 @@ bool file_has_sheet_ending(const char *path);
  * than CSV: spreadsheet programs call text in a workbook damaged. */
 bool file_check_csv_name(const char *path, struct error *error);
 
-/* Returns false, with the error that writing would give, if path is a folder or
- * not writable.  To be called before a long calibration. */
-bool file_check_writable(const char *path, struct error *error);
+/* Returns false, with the error that replacing the file, or appending to it,
+ * would give, if path is a folder or not writable.  To be called before a long
+ * calibration. */
+bool file_check_writable(const char *path, bool append, struct error *error);
 
 #endif

@@ -8,7 +8,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -136,7 +135,8 @@ can_be_sieve_heading(const struct cell *cell, const struct nature *n)
 	    WORD_MM | WORD_UM | WORD_INCH | WORD_TYLER | WORD_BS | WORD_PHI;
 	/* "My" also means micrometre in some languages, but "My quarry" is a
 	 * name. */
-	bool mine = n->unknown > 0 && strncasecmp(cell->text, "my ", 3) == 0;
+	bool mine =
+	    n->unknown > 0 && text_is_same_but_case(cell->text, "my ", 3);
 	if ((means & ELSE) != 0 || mine)
 		return false;
 	/* "Lower phi" is a limit of a class, not of a specification. */
@@ -282,11 +282,12 @@ mark_in_beside_out_as_feed(struct sheet_grid *g)
 		for (size_t c = 0; c < g->n_col && !out; c++) {
 			const char *text = cell_at(g, r, c)->text;
 			size_t n = strcspn(text, " ");
-			out = (n == 3 && strncasecmp(text, "out", n) == 0) ||
-			      (n == 2 && strncasecmp(text, "ut", n) == 0);
+			out =
+			    (n == 3 && text_is_same_but_case(text, "out", n)) ||
+			    (n == 2 && text_is_same_but_case(text, "ut", n));
 		}
 		for (size_t c = 0; c < g->n_col && out; c++)
-			if (strcasecmp(cell_at(g, r, c)->text, "in") == 0)
+			if (text_is_same_folded(cell_at(g, r, c)->text, "in"))
 				cell_at(g, r, c)->text = feed;
 	}
 }

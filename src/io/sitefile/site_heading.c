@@ -7,7 +7,6 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -260,7 +259,7 @@ static bool
 begins_with_site_key(const char *text)
 {
 	for (size_t k = 0; k < N_KEY; k++)
-		if (strncasecmp(text, NAMES[k], strlen(NAMES[k])) == 0)
+		if (text_is_same_but_case(text, NAMES[k], strlen(NAMES[k])))
 			return true;
 	return false;
 }

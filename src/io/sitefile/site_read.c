@@ -4,7 +4,6 @@
 #include "io/sitefile/site_read.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

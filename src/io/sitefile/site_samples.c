@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -194,7 +193,8 @@ are_headings_distinct(const struct table *t, size_t r)
 		if (cell[c].text[0] == '\0')
 			return false;
 		for (size_t k = 1; k < c; k++)
-			if (strcasecmp(cell[c].text, cell[k].text) == 0)
+			if (text_is_same_but_case(
+				cell[c].text, cell[k].text, SIZE_MAX))
 				return false;
 	}
 	return true;

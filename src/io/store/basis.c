@@ -199,8 +199,7 @@ fit_record_parse_site(const char *text)
 	const struct site_request request = {
 	    .n = 1, .path = &path, .text = text};
 	struct error_list faults = {0};
-	struct site *site = site_read_with_options(&request, &faults, NULL);
-	return site;
+	return site_read_with_options(&request, &faults, NULL);
 }
 
 /* Ends the text at the next empty line.  Returns the text after that, or

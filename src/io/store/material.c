@@ -4,7 +4,6 @@
 #include "io/store/material.h"
 
 #include <assert.h>
-#include <ctype.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -402,7 +401,7 @@ bool
 material_is_text_printable(const char *text)
 {
 	const char *p = text;
-	while (*p != '\0' && !iscntrl((unsigned char)*p))
+	while ((unsigned char)*p >= ' ' && *p != 0x7F)
 		p++;
 	return *p == '\0' && text_is_utf8(text, (size_t)(p - text));
 }

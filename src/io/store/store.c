@@ -439,19 +439,6 @@ store_file_size(const struct store *store)
 	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
 }
 
-/* Makes the folders above the file, accessible only to the user. */
-static bool
-make_folders_of_store(const char *path, struct error *error)
-{
-	FREED char *closed = xdg_make_parent_folders(path);
-	if (closed == NULL)
-		return true;
-	return error_set_at(error, ERROR_SYSTEM, closed, 0, 0,
-	    "cannot create the store's folder: %s\n"
-	    "check its permissions, or use another store: --store=PATH",
-	    strerror(errno));
-}
-
 static void
 store_close(struct store *store)
 {
@@ -462,8 +449,8 @@ store_close(struct store *store)
 }
 
 /* Opens the file, or ":memory:".  make: a missing or empty file becomes a
- * store; otherwise such a file leaves db NULL, which is not an error.  Returns
- * false on failure, with db NULL. */
+ * store; otherwise such a file, or a home that is closed to the user, leaves db
+ * NULL, which is not an error.  Returns false on failure, with db NULL. */
 static bool
 store_open(struct store *store, bool make, struct error *error)
 {
@@ -476,14 +463,20 @@ store_open(struct store *store, bool make, struct error *error)
 		return error_set(error, ERROR_SYSTEM,
 		    "no place for the store: HOME is not set\n"
 		    "name a file with --store=PATH");
-	if (make && store->own_folder && !make_folders_of_store(path, error))
-		return false;
+	FREED char *closed =
+	    make && store->own_folder ? xdg_make_parent_folders(path) : NULL;
+	if (closed != NULL)
+		return error_set_at(error, ERROR_SYSTEM, closed, 0, 0,
+		    "cannot create the store's folder: %s\n"
+		    "check its permissions, or use another store: --store=PATH",
+		    strerror(errno));
 	if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
 		return error_set_at(error, ERROR_SYSTEM, path, 0, 0,
 		    "the store cannot be opened: this is a folder, a pipe or a "
 		    "device\n"
 		    "use another with --store=PATH");
-	if (!make && access(path, F_OK) != 0)
+	if (!make && access(path, F_OK) != 0 &&
+	    (errno == ENOENT || store->own_folder))
 		return true;
 	bool ok = open_and_check_database(store, make, &version, error);
 	if (ok && (make || version > 0))

@@ -7,7 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include <curses.h>
 
@@ -190,7 +189,7 @@ complete_last_condition(struct edit *y)
 		const char *name = quantities_nth_completion(i);
 		if (name == NULL)
 			name = standards->spec[spec++]->name;
-		if (strncasecmp(name, word, strlen(word)) != 0)
+		if (!text_is_same_but_case(name, word, strlen(word)))
 			continue;
 		xappend_to_list(&offers, "  ", "%s", name);
 		if (first == NULL)
@@ -309,7 +308,7 @@ parse_goal_field(struct tui *t)
 		memmove(p, p + 1, strlen(p));
 	size_t n_value = 0;
 	t->message[0] = '\0';
-	if (text[0] == '\0' || strcasecmp(text, SETTINGS_NONE) == 0) {
+	if (text[0] == '\0' || text_is_same_folded(text, SETTINGS_NONE)) {
 		line = command_that_sets_goal(t, "");
 	} else if (show_typed_quantity(t, text)) {
 	} else if (goals_parse(t->session, text, tui_feed_curve(t), &list,
