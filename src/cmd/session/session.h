@@ -30,7 +30,7 @@ struct hooks {
 	void (*announce)(const char *what);
 	/* Shows a page of the manual; NULL without a terminal. */
 	bool (*show_manual_page)(const char *page);
-	/* Draws the full screen, see plot.h; NULL if not available. */
+	/* Draws the full screen, see plot.h. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
 	/* Runs the full screen until the user quits, and returns an exit
