@@ -123,7 +123,7 @@ struct session {
 	bool safe;          /* no command or key may use files or the shell */
 	bool linear;        /* for a screen reader: words, no pictures */
 	FILE *out;          /* results */
-	FILE *notes;        /* messages besides results; NULL: none */
+	FILE *notes;        /* messages besides results */
 	struct screen screen;
 	const char *file;          /* target of the results; NULL: no file */
 	struct book *book;         /* workbook that collects results, or NULL */
