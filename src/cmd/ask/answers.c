@@ -450,8 +450,8 @@ void
 answers_note_basis_and_trust_at_speed(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band)
 {
-	answers_note_basis_and_trust(s, r, q, speed, band,
-	    trust_at_speed(s, q->entry, speed, q->feed));
+	answers_note_basis_and_trust(
+	    s, r, q, speed, band, trust_at_speed(s, q->entry, speed, q->feed));
 }
 
 void
