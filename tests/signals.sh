@@ -8,7 +8,7 @@ cd "$dir" || exit 99
 # Waits until a search has made generations: it says so only every two seconds.
 searching() {
 	tries=0
-	until grep -q calibrating log || [ $tries -ge 300 ]; do
+	until grep -q '^[ck]alibr' log || [ $tries -ge 300 ]; do
 		sleep 0.1
 		tries=$((tries + 1))
 	done
@@ -69,6 +69,15 @@ kill -s INT $pid
 wait $pid
 [ $? -eq 130 ] && [ ! -s out ] && grep -q '"stop":"stopped"' fit.json
 result $? "INT: a redirected calibration writes the best so far"
+# Half a league is nothing, which is said in the user's language.
+env --default-signal=INT "$TIPSPEED" --lang=sv data/sites/*.csv \
+	-c 'league all' >out 2>log &
+pid=$!
+searching
+kill -s INT $pid
+wait $pid
+grep -q '^stoppad innan alla modeller var kalibrerade' out log
+result $? "INT: a stopped league says so in Swedish"
 
 # A sheet of 250 sieves, where a step takes long: it is told at once, in the search, in
 # the polish and while low and high are looked for. 0.2 s; others use the machine, too.

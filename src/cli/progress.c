@@ -143,7 +143,7 @@ show_search_plot_and_progress(
 static void
 print_progress(struct session *s, struct progress *p)
 {
-	if (!session_is_calibrating(s) || s->notes == NULL)
+	if (!session_is_calibrating(s))
 		return;
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	/* For a plot, the terminal must be able to move its cursor up and to

@@ -44,7 +44,7 @@ tui_stop_fit(struct tui *t)
 	t->held = false;
 	control_discard_outdated_state(t);
 	const char *said =
-	    useless != NULL ? useless
+	    useless != NULL ? tr(useless)
 	    : alone
 		? tr(STOPS[stopped].all)
 		: tr("stopped: the sites calibrated so far keep their fits; u "

@@ -193,6 +193,12 @@ the_wheel_moves_what_is_under_it(void **state)
 	int at = t->viewer.at;
 	assert_true(mouse(stage, HIT_DOWN, l->body.row + 2, 20));
 	assert_int_equal(t->viewer.at, at + 1);
+	press(stage, "Esc 3");
+	click(stage, "79.77");
+	assert_int_equal(t->ui.cell.at, 1);
+	assert_int_equal(t->ui.cell.row, 4);
+	assert_true(mouse(stage, HIT_DOWN, l->body.row + 2, 20));
+	assert_int_equal(t->ui.cell.row, 5);
 	assert_int_equal(tui_slider_position(t), tenths);
 }
 

@@ -105,8 +105,14 @@ cells_of_excel_are_read(void **state)
 	expect(SHEET("<row r='1'>" CELL("A1",
 		   " t='inlineStr'><is><t> A\xCC\x8A </t></is>") CELL("B1",
 		   " t='str'><f>A1</f><v>x</v>") CELL("C1", " t='b'><v>1</v>")
-		       CELL("D1", " t='e'><v>#DIV/0!</v>") "</row>"),
-	    "May: A1=\xC3\x85 B1=x C1=TRUE D1=#DIV/0!", "");
+		       CELL("D1", " t='e'><v>#DIV/0!</v>") CELL(
+			   "E1", " t='d'><v>2026-05-03T00:00:00</v>") CELL("F1",
+			   " t='d'><v>2026-05-03T10:15:30</v>") CELL("G1",
+			   " t='d'><v>2026-05-03T10:15:00</v>") CELL("H1",
+			   " t='d'><v>2026-05-03 10:15 UT</v>") "</row>"),
+	    "May: A1=\xC3\x85 B1=x C1=TRUE D1=#DIV/0! E1@2026-05-03 "
+	    "F1@2026-05-03T10:15:30 G1@2026-05-03T10:15 H1@2026-05-03 10:15 UT",
+	    "");
 	/* Without places, as some programs write. */
 	expect(SHEET("<row><c><v>1</v></c><c/><c><v>2.5</v></c></row><row/>"
 		     "<row><c><v>97.799999999999997</v></c></row>"),

@@ -282,10 +282,7 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	const struct entry *entry = session_current_site_entry(s);
 	const struct posterior *p = posterior_even_if_correction_off(s, entry);
 	if (p == NULL)
-		return error_set(error, ERROR_USAGE,
-		    "there are no draws to judge the parameters by (%s)\nrun "
-		    "'calibrate' first",
-		    band_why_missing(s, entry));
+		return band_set_error_missing(s, entry, error);
 	struct findings f = compute_identifiability(p, entry->site);
 	struct answer *r = answer_new_about_site(
 	    entry->site, "identify", "what the data determine");

@@ -450,10 +450,8 @@ void
 answers_note_basis_and_trust_at_speed(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band)
 {
-	/* A search that found nothing has no speed. */
-	answers_note_basis_and_trust(s, r, q, speed, band,
-	    speed > 0 ? trust_at_speed(s, q->entry, speed, q->feed)
-		      : trust_in_answer_or_fit(s, q->entry, NULL));
+	answers_note_basis_and_trust(
+	    s, r, q, speed, band, trust_at_speed(s, q->entry, speed, q->feed));
 }
 
 void

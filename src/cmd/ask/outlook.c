@@ -330,40 +330,42 @@ band_why_missing(const struct session *s, const struct entry *entry)
 	const struct fit *fit = origin_fit_behind_params(entry);
 	return fit == NULL ? tr("no uncertainty band: the parameters do not "
 				"come from a calibration in this session")
+	       : fit->stop == CALIBRATE_STOPPED
+		   ? tr("no uncertainty band: the calibration was stopped")
 	       : fit_has_too_few_data(fit)
 		   ? tr("no uncertainty band: too few data for the number of "
 			"parameters")
-	       : correction_in_use(s, entry) == CORRECTION_OFF
-		   ? tr("no uncertainty band for the model alone: 'set "
-			"correction all' gives one")
-	       : fit->stop == CALIBRATE_STOPPED
-		   ? tr("no uncertainty band: the calibration was stopped")
 	       : has_fit_too_poor_for_band(s, entry)
 		   ? tr("no uncertainty band: the fit is poor, and two speeds "
 			"do not show how its error changes with the speed; "
 			"measure a third")
-	       : are_settings_those_of_fit(s, entry)
-		   ? tr("no uncertainty band: its draws are not complete")
-		   : tr("no uncertainty band: the site was calibrated with "
-			"other settings");
+	       : !are_settings_those_of_fit(s, entry)
+		   ? tr("no uncertainty band: the site was calibrated with "
+			"other settings")
+	       : correction_in_use(s, entry) == CORRECTION_OFF
+		   ? tr("no uncertainty band for the model alone: 'set "
+			"correction all' gives one")
+		   : tr("no uncertainty band: its draws are not complete");
 }
 
 bool
 band_set_error_missing(
     const struct session *s, const struct entry *entry, struct error *error)
 {
-	bool off = correction_in_use(s, entry) == CORRECTION_OFF;
 	const struct fit *fit = origin_fit_behind_params(entry);
 	return error_set(error, ERROR_USAGE, "%s\n%s",
 	    band_why_missing(s, entry),
-	    fit == NULL ? tr("run 'calibrate' first")
-	    : fit_has_too_few_data(fit)
-		? tr("add sieves or a run to the sheet, then 'calibrate' again")
-	    : off && s->set.correction != CORRECTION_OFF
-		? tr("leave out correction=off")
-	    : off                            ? tr("write: set correction all")
+	    fit == NULL                      ? tr("run 'calibrate' first")
 	    : fit->stop == CALIBRATE_STOPPED ? tr("run 'calibrate' again")
-					     : tr("'set' shows the settings"));
+	    : fit_has_too_few_data(fit) || has_fit_too_poor_for_band(s, entry)
+		? tr("add sieves or a run to the sheet, then 'calibrate' again")
+	    : !are_settings_those_of_fit(s, entry)
+		? tr("'set' shows the settings")
+	    : correction_in_use(s, entry) != CORRECTION_OFF
+		? tr("run 'calibrate' again")
+	    : s->set.correction != CORRECTION_OFF
+		? tr("leave out correction=off")
+		: tr("write: set correction all"));
 }
 
 const char *

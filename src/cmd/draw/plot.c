@@ -185,8 +185,6 @@ json_key_of_axis(const struct axis *axis)
 				? xasprintf("%.*spct", (int)n - 1, axis->title)
 				: xstrdup(axis->title);
 	char *key = text_slug(words);
-	for (n = strlen(key); n > 0 && key[n - 1] == '-'; n--)
-		key[n - 1] = '\0';
 	for (char *c = key; *c != '\0'; c++)
 		*c = *c == '-' ? '_' : *c;
 	return key;
@@ -487,9 +485,6 @@ bool
 cmd_screen(struct session *s, const struct args *args, struct error *error)
 {
 	bool picture = plot_is_image_wanted(s) && s->document == NULL;
-	if (s->hooks.draw_screen == NULL)
-		return error_set(error, ERROR_SYSTEM,
-		    "full-screen mode is not available here");
 	struct screen_request r = build_screen_request(s, args, picture);
 	r.words = s->linear && !picture && s->set.format == ANSWER_TABLE;
 	struct canvas *canvas = s->hooks.draw_screen(s, &r, error);

@@ -23,10 +23,7 @@ posterior_or_error(
 		return NULL;
 	const struct posterior *p = posterior_even_if_correction_off(s, entry);
 	if (p == NULL)
-		error_set(error, ERROR_USAGE,
-		    "there are no draws to plot (%s)\n"
-		    "run 'calibrate' first",
-		    band_why_missing(s, entry));
+		band_set_error_missing(s, entry, error);
 	return p;
 }
 

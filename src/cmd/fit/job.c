@@ -680,7 +680,7 @@ session_stop_job_for_user(struct session *s)
 	const char *useless = s->job.type->useless;
 	if (useless != NULL) {
 		session_abort_job(s);
-		session_print_note(s, "%s", useless);
+		session_print_note(s, "%s", tr(useless));
 		return STOPPED_EMPTY;
 	}
 	enum stopped stopped = apply_best_fit_on_stop(s);

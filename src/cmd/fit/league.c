@@ -671,7 +671,7 @@ add_model_verdict_cells(struct answer *r, const struct verdict *v)
 					 v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 	enum validate_way ahead = null_model_beating_best(v);
 	answer_add_cells(r, "%s %.2f %.2f %s",
-	    ahead != VALIDATE_MODEL ? SCORES_WAYS[ahead].key
+	    ahead != VALIDATE_MODEL ? tr(SCORES_WAYS[ahead].key)
 	    : v->none               ? tr("none")
 				    : model_name_of_league_row(v->best),
 	    100 * v->model[v->best].rmse, 100 * v->rmse[VALIDATE_INTERPOLATION],

@@ -77,10 +77,6 @@ parse_size_fractions(
 		}
 		free(part);
 	}
-	if (ok && c->n == 0)
-		ok = error_set(error, ERROR_USAGE,
-		    "expected fractions, got none\n"
-		    "write fractions such as 0/2,2/5,5/8,8/11.2");
 	c->n_edge = psd_sort_distinct_sizes(c->edge, c->n_edge, 0);
 	return ok;
 }

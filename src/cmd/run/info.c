@@ -22,8 +22,7 @@
 static FILE *
 help_output_stream(const struct session *s)
 {
-	bool exact = ANSWER_FORMATS[s->set.format].exact;
-	return !exact || s->notes == NULL ? s->out : s->notes;
+	return ANSWER_FORMATS[s->set.format].exact ? s->notes : s->out;
 }
 
 /* Prints help for a new user. */

@@ -91,7 +91,7 @@ suggest_step_after_fit(const struct session *s, const struct entry *entry)
 		    N_("next: 'why' shows the reasons to doubt it, and what to "
 		       "do"),
 		    false, NEXT_ANSWER};
-	if (s->linear || s->hooks.run_screen == NULL)
+	if (s->linear)
 		return (struct next){NULL,
 		    N_("next: 'predict' at any speed; 'remember' keeps the "
 		       "calibration for another day"),
@@ -137,8 +137,6 @@ suggest_next_step(const struct session *s)
 {
 	if (s->n_entry == 0)
 		return suggest_step_before_load(s);
-	if (session_is_calibrating(s))
-		return (struct next){.stage = NEXT_LOAD};
 	if (has_several_sites_all_without_params(s))
 		return (struct next){"check all; calibrate all; validate all",
 		    N_("check, calibrate and validate all of them now?"), false,
@@ -184,8 +182,6 @@ was_sentence_in_previous_answer(const struct session *s, const char *text)
 void
 next_print_answer_summary(const struct session *s)
 {
-	if (s->n_answer == 0)
-		return;
 	const struct answer *a = s->answer[s->n_answer - 1];
 	struct answer_view view = answer_view(a);
 	bool check = strcmp(answer_command_name(a), "check") == 0;

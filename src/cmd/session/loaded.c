@@ -307,7 +307,8 @@ char *
 origin_params_source_sentence(const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
-	if (o == NULL || (entry->has_fit && !origin_is_from_store(o)))
+	if (!origin_is_from_store(o) &&
+	    (o == NULL || entry->has_fit || o->from[0] == '\0'))
 		return xstrdup("");
 	if (o->from[0] == '\0')
 		return xasprintf(tr("parameters %s"), o->words);
@@ -330,10 +331,7 @@ void
 origin_add_note_to_answer(struct answer *r, const struct entry *entry)
 {
 	FREED char *sentence = origin_params_source_sentence(entry);
-	const struct origin *o = entry->origin;
-	bool whose =
-	    o != NULL && (o->from[0] != '\0' || origin_is_from_store(o));
-	if (sentence[0] != '\0' && whose)
+	if (sentence[0] != '\0')
 		answer_add_sentence(r,
 		    origin_is_other_site(entry) ? ANSWER_WARNING
 						: ANSWER_REMARK,

@@ -201,9 +201,9 @@ char *origin_training_speeds_text(const struct origin *origin);
 bool origin_is_other_site(const struct entry *entry);
 
 /* origin_params_source_sentence returns "parameters from tierp (..), not
- * calibrated on this site", or "" if they were found on it; the caller frees
- * it.  origin_add_note_to_answer notes that for parameters from another site or
- * the store; for parameters set by hand, the light does. */
+ * calibrated on this site", or "" if they were found on it or set by hand, of
+ * which the light tells; the caller frees it.  origin_add_note_to_answer adds
+ * it as a note. */
 char *origin_params_source_sentence(const struct entry *entry);
 void origin_add_note_to_answer(struct answer *r, const struct entry *entry);
 

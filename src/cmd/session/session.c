@@ -30,7 +30,7 @@ session_report_file_faults(const struct session *s, const char *path,
 {
 	if (errors->stopped) /* what was found on the way is not all */
 		return error_set(error, ERROR_STOPPED, "interrupted");
-	for (size_t i = 0; i + 1 < errors->n && s->notes != NULL; i++)
+	for (size_t i = 0; i + 1 < errors->n; i++)
 		error_print(&errors->item[i], s->notes);
 	*error = errors->item[errors->n - 1];
 	if (errors->more > 0)
@@ -165,8 +165,6 @@ session_text_width(const struct session *s)
 void
 session_print_note(const struct session *s, const char *format, ...)
 {
-	if (s->notes == NULL)
-		return;
 	char text[1024];
 	va_list ap;
 	va_start(ap, format);

@@ -30,7 +30,7 @@ struct hooks {
 	void (*announce)(const char *what);
 	/* Shows a page of the manual; NULL without a terminal. */
 	bool (*show_manual_page)(const char *page);
-	/* Draws the full screen, see plot.h; NULL if not available. */
+	/* Draws the full screen, see plot.h. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
 	/* Runs the full screen until the user quits, and returns an exit
@@ -123,7 +123,7 @@ struct session {
 	bool safe;          /* no command or key may use files or the shell */
 	bool linear;        /* for a screen reader: words, no pictures */
 	FILE *out;          /* results */
-	FILE *notes;        /* messages besides results; NULL: none */
+	FILE *notes;        /* messages besides results */
 	struct screen screen;
 	const char *file;          /* target of the results; NULL: no file */
 	struct book *book;         /* workbook that collects results, or NULL */

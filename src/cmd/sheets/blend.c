@@ -163,7 +163,7 @@ show_blend(struct session *s, const struct args *args, const struct blended *b)
 {
 	struct error none = {0};
 	if (s->n_entry == 0) {
-		show_blended_feed(s, b, "no site is loaded");
+		show_blended_feed(s, b, tr("no site is loaded"));
 		return;
 	}
 	if (!answers_require_params_current_site(s, &none)) {

@@ -312,7 +312,7 @@ report_unread_files(struct session *s, const struct unread *u, size_t n,
 		last--;
 	if (u->fault[last].kind != ERROR_SYSTEM)
 		last = u->n - 1;
-	for (size_t i = 0; i < u->n && s->notes != NULL; i++)
+	for (size_t i = 0; i < u->n; i++)
 		if (skip || i != last)
 			error_print(&u->fault[i], s->notes);
 	if (skip)

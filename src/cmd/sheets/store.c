@@ -206,7 +206,7 @@ material_params_origin_text(const struct material *m)
 {
 	return material_is_table3(m)           ? "Table 3"
 	       : strcmp(m->origin, "fit") == 0 ? "fit"
-					       : "set by hand";
+					       : tr("set by hand");
 }
 
 /* The material name closest to the one typed. */

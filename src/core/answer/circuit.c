@@ -97,8 +97,6 @@ order_circuit_units_from(struct unit_walk *w, size_t u)
 	w->state[u] = WALK_UNDER_WAY;
 	for (size_t i = 0; i < unit->n_out; i++) {
 		size_t next = circuit_destination_of_stream(w->c, unit->out[i]);
-		if (next == w->c->n_unit)
-			continue;
 		if (w->state[next] == WALK_UNDER_WAY)
 			w->back[unit->out[i]] = true;
 		else if (w->state[next] == WALK_NEW)

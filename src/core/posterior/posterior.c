@@ -632,8 +632,6 @@ make_log_size_knots(
 		for (double k = 1; k <= parts; k++)
 			p->knot[p->n_knot++] = at[i - 1] - gap * k / parts;
 	}
-	if (p->n_knot == 1)
-		p->knot[p->n_knot++] = at[0] - most;
 	free(at);
 }
 

@@ -459,6 +459,8 @@ site_translate_provenance(const char *provenance)
 {
 	static const char SHEET[] = "sheet of ", CUTS[] = ", cuts to ";
 	const char *day = provenance + strlen(SHEET);
+	if (strcmp(provenance, "provenance not stated") == 0)
+		return xstrdup(tr("provenance not stated"));
 	if (strncmp(provenance, SHEET, strlen(SHEET)) != 0)
 		return xstrdup(provenance);
 	const char *cuts = strstr(day, CUTS);

@@ -179,7 +179,13 @@ sheets_put_number(
 bool
 sheets_put_date(struct sheets *g, struct cell where, const char *text)
 {
-	where.text = xstrdup(text);
+	const char *t = strchr(text, 'T');
+	size_t n = strlen(text);
+	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
+		n = (size_t)(t - text);
+	else if (t != NULL && strlen(t) >= 9 && strncmp(t + 6, ":00", 3) == 0)
+		n = (size_t)(t - text) + 6;
+	where.text = xstrndup(text, n);
 	where.kind = CELL_DATE;
 	return sheets_put_cell(g, where);
 }

@@ -46,6 +46,9 @@ bool sheets_put_text(struct sheets *grid, struct cell where, const char *text);
  * cell shows a hundred times the value, and that is what is added. */
 bool sheets_put_number(
     struct sheets *grid, struct cell where, double value, const char *unit);
+
+/* Adds a date, 2026-05-03 or 2026-05-03T10:15:00: without seconds if they are
+ * zero, and without time at midnight. */
 bool sheets_put_date(struct sheets *grid, struct cell where, const char *text);
 
 /* Adds a formula that has no result.  The cell's text is the formula itself. */

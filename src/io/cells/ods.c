@@ -231,23 +231,6 @@ put_ods_duration_as_time(struct sheets *grid, struct cell at, const char *value)
 	return sheets_put_date(grid, at, text);
 }
 
-/* Puts a date into the sheet as .xlsx files have it: without seconds if they
- * are zero, and without time at midnight. */
-static bool
-put_date_without_zero_time(
-    struct sheets *grid, struct cell at, const char *value)
-{
-	const char *t = strchr(value, 'T');
-	char text[32];
-	size_t n = strlen(value);
-	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
-		n = (size_t)(t - value);
-	else if (t != NULL && n >= 19 && strncmp(t + 6, ":00", 3) == 0)
-		n = (size_t)(t - value) + 6;
-	snprintf(text, sizeof text, "%.*s", (int)(n < 31 ? n : 31), value);
-	return sheets_put_date(grid, at, text);
-}
-
 /* Copies to unit what follows the number in a cell's text: "m/s" for a cell
  * that shows "69 m/s", or "". */
 static void
@@ -284,7 +267,7 @@ add_cell_content_to_grid(
 		    grid, at, number, type[0] == 'p' ? "%" : unit);
 	}
 	if (strcmp(type, "date") == 0 && c->value != NULL)
-		return put_date_without_zero_time(grid, at, c->value);
+		return sheets_put_date(grid, at, c->value);
 	if (strcmp(type, "time") == 0 && c->value != NULL)
 		return put_ods_duration_as_time(grid, at, c->value);
 	if (strcmp(type, "boolean") == 0 && c->value != NULL)

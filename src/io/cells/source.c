@@ -57,7 +57,7 @@ refuse_other_file_type(struct archive *archive, const struct sheets *grid)
 		N_("expected a workbook or text, got a Word document")}};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
 		if (archive_has_entry(archive, NAMES[i][0]))
-			return refuse_workbook(grid, NAMES[i][1],
+			return refuse_workbook(grid, tr(NAMES[i][1]),
 			    tr("save the spreadsheet as .xlsx, or as CSV"));
 	return refuse_workbook(grid,
 	    tr("expected a workbook or text, got a zip archive"),

@@ -302,17 +302,6 @@ put_shared_string_in_sheet(struct reading *r)
 		    tr("row %d has a text that is not there"), r->at.line);
 }
 
-/* Puts an ISO date, as strict workbooks have, into the sheet; at midnight
- * without its time. */
-static void
-xlsx_read_iso_date(struct reading *r)
-{
-	char *t = strchr(r->value.text, 'T');
-	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
-		*t = '\0';
-	sheets_put_date(r->book->grid, r->at, r->value.text);
-}
-
 static void
 xlsx_put_cell(struct reading *r)
 {
@@ -329,7 +318,7 @@ xlsx_put_cell(struct reading *r)
 		xlsx_put_unescaped_text(
 		    r, strcmp(r->value.text, "1") == 0 ? "TRUE" : "FALSE");
 	else if (strcmp(r->type, "d") == 0)
-		xlsx_read_iso_date(r);
+		sheets_put_date(r->book->grid, r->at, r->value.text);
 	else if (strcmp(r->type, "n") == 0)
 		xlsx_read_number_or_date(r);
 	else

@@ -277,7 +277,7 @@ parse_circuit_split_row(
 	if (n < 2 || n > UNIT_STREAMS) {
 		sheet_report_fault(r->sheet, row->cell[0],
 		    "expected a split into 2 to %d streams, got %zu\n%s",
-		    (int)UNIT_STREAMS, n, HINTS[UNIT_SPLIT]);
+		    (int)UNIT_STREAMS, n, tr(HINTS[UNIT_SPLIT]));
 		return;
 	}
 	for (size_t i = 0; i < n; i++) {
@@ -378,7 +378,7 @@ check_exactly_one_feed(struct reading_circuit *r)
 	if (feeds == 0 && !r->sheet->lost)
 		sheet_report_fault(r->sheet, row_cell_at(&none, 0),
 		    "expected a line that begins with feed, got none\n%s",
-		    HINTS[UNIT_FEED]);
+		    tr(HINTS[UNIT_FEED]));
 	if (feeds > 1)
 		sheet_report_fault(r->sheet, second,
 		    "expected one feed, got a second one\n"

@@ -90,7 +90,7 @@ read_part_from_json(struct part_file *part, struct parts *parts)
 	while (kind < KINDS + ARRAY_LEN(KINDS) &&
 	       strcmp(kind->command, part->command) != 0)
 		kind++;
-	if (kind == KINDS + ARRAY_LEN(KINDS) || number < 0 || of < 1 ||
+	if (kind == KINDS + ARRAY_LEN(KINDS) || number < 1 || of < number ||
 	    loaded < 0 || json_array_size(index) != n)
 		return false;
 	part->number = (size_t)number;
@@ -214,8 +214,6 @@ parts_check_and_sort(struct parts *parts, struct error *error)
 {
 	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
-		if (part->number < 1 || part->number > part->of)
-			return refuse_non_parts_file(part->path, error);
 		if (!check_parts_alike(&parts->part[0], part, error))
 			return false;
 	}

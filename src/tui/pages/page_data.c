@@ -280,9 +280,8 @@ on_mouse_in_sheet_cells(struct tui *t, const struct mouse_event *touched)
 		    pane_move_index_clamped(t->ui.cell.row, touched->by, h->n);
 		return;
 	}
-	int column = touched->column < 0 ? 0 : touched->column / h->width;
-	t->ui.cell.at =
-	    pane_move_index_clamped(t->ui.cell.left, column, h->n_column);
+	t->ui.cell.at = pane_move_index_clamped(
+	    t->ui.cell.left, touched->column / h->width, h->n_column);
 	t->ui.cell.row =
 	    pane_move_index_clamped(t->ui.cell.top, touched->row, h->n);
 }
