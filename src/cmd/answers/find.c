@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"

@@ -5,7 +5,6 @@
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -45,7 +44,7 @@ is_beginning_of_condition(const char *word)
 	bool most;
 	return quantities_is_beginning_of_text(word) ||
 	       conditions_parse_max_or_min(with, &most) != NULL ||
-	       strcasecmp(word, "at") == 0;
+	       text_is_same_folded(word, "at");
 }
 
 /* If "and" and a condition follow word i, puts a comma in the place of "and".

@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -207,9 +206,11 @@ join_unit_to_number(struct words *words)
 	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
 			     : command_takes_speeds(command) ? "m/s"
 							     : "";
-	bool turns = strcasecmp(unit, "rpm") == 0 && strcmp(wanted, "m/s") == 0;
-	if (wanted[0] == '\0' || (!turns && strcasecmp(wanted, unit) != 0) ||
-	    *number < '0' || *number > '9')
+	bool turns =
+	    text_is_same_folded(unit, "rpm") && strcmp(wanted, "m/s") == 0;
+	if (wanted[0] == '\0' ||
+	    (!turns && !text_is_same_folded(wanted, unit)) || *number < '0' ||
+	    *number > '9')
 		return;
 	FREED char *joined = xasprintf("%s%s", word, unit);
 	words_replace_by_one(words, words->n - 2, 2, joined);
@@ -405,7 +406,7 @@ static void
 strip_unit(char *text, const char *unit)
 {
 	size_t n = strlen(text), m = strlen(unit);
-	if (m > 0 && n > m && strcasecmp(text + n - m, unit) == 0)
+	if (m > 0 && n > m && text_is_same_folded(text + n - m, unit))
 		text[n - m] = '\0';
 }
 

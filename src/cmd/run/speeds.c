@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
@@ -124,7 +123,7 @@ convert_rpm_text_to_mps(struct session *s, const char *turns, double diameter)
 		size_t n = strspn(turns, "0123456789");
 		if (n > 0 && turns[n] == '.' && turns[n + 1] != '.')
 			n += 1 + strspn(turns + n + 1, "0123456789");
-		if (n == 0 && strncasecmp(turns, RPM, strlen(RPM)) == 0) {
+		if (n == 0 && text_is_same_but_case(turns, RPM, strlen(RPM))) {
 			turns += strlen(RPM);
 			continue;
 		}
@@ -159,7 +158,7 @@ length_of_rpm_within_word(
 	FREED char *number = xstrndup(at, n);
 	const char *end = at + n + strlen(RPM);
 	bool ends = n > 0 && text_parse_typed_number(number, &rpm) &&
-		    strncasecmp(at + n, RPM, strlen(RPM)) == 0 &&
+		    text_is_same_but_case(at + n, RPM, strlen(RPM)) &&
 		    (file ? *end == '\0' : !isalnum((unsigned char)*end));
 	return ends ? n + strlen(RPM) : 0;
 }
@@ -265,8 +264,8 @@ is_speed_or_range_or_list(const char *word, bool *list)
 	}
 	*list = commas > 1 || (commas > 0 && points > 0) || dots != NULL;
 	return n > 0 && isdigit((unsigned char)word[0]) &&
-	       (word[n] == '\0' || strcasecmp(word + n, RPM) == 0 ||
-		   strcasecmp(word + n, "m/s") == 0);
+	       (word[n] == '\0' || text_is_same_folded(word + n, RPM) ||
+		   text_is_same_folded(word + n, "m/s"));
 }
 
 /* Returns the word as an item of a list, where commas separate numbers.  The
@@ -275,7 +274,7 @@ static char *
 format_speed_as_list_item(const char *word, bool list)
 {
 	size_t n = strlen(word);
-	if (n > 3 && strcasecmp(word + n - 3, "m/s") == 0)
+	if (n > 3 && text_is_same_folded(word + n - 3, "m/s"))
 		n -= 3;
 	char *part = xstrndup(word, n);
 	for (char *c = part; *c != '\0' && !list; c++)

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -179,7 +178,7 @@ parse_circuit_unit_key(
 		size_t n = strlen(key->word);
 		double value;
 		if (key->kind != unit->kind ||
-		    strncasecmp(cell.text, key->word, n) != 0 ||
+		    !text_is_same_but_case(cell.text, key->word, n) ||
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
 		struct cell number = rest_of_cell_as_cell(r, cell, sign + 1);
