@@ -33,8 +33,9 @@ for signal in INT TERM HUP; do
 	HUP) want=129 ;;
 	esac
 	: >log
-	# A shell starts background jobs with INT ignored; env puts it back.
-	env --default-signal=INT "$TIPSPEED" data/sites/tierp.csv \
+	# A shell starts background jobs with INT ignored, nohup with HUP; env puts
+	# them back.
+	env --default-signal=INT,HUP "$TIPSPEED" data/sites/tierp.csv \
 		-c "$run" >out 2>log &
 	pid=$!
 	searching
