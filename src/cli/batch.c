@@ -191,16 +191,13 @@ int
 batch_run_typed_lines(struct session *s)
 {
 	FREED char *line = NULL;
-	size_t n = 0, room = 0, from = 0;
+	size_t n = 0, room = 0;
 	struct error error = {0};
 	batch_make_session_interactive(s);
 	for (int number = 1; !s->quit; signals_clear_interrupt()) {
-		print_prompt(s, from > 0);
+		print_prompt(s, n > 0);
 		enum text_line got = text_read_line(&line, &n, &room, stdin);
-		bool more =
-		    got == TEXT_LINE && script_line_continues(line + from);
-		if (got == TEXT_LINE)
-			script_remove_line_end(line + from);
+		bool more = got == TEXT_LINE && script_remove_line_end(line);
 		if (got != TEXT_LINE)
 			fputc('\n', stderr);
 		if (got == TEXT_TOO_LONG) {
@@ -210,7 +207,7 @@ batch_run_typed_lines(struct session *s)
 		if (got != TEXT_LINE &&
 		    signals_get_ending_or_interrupt() != SIGINT)
 			break;
-		n = from = more ? from + strlen(line + from) : 0;
+		n = more ? strlen(line) : 0;
 		if (got == TEXT_END)
 			clearerr(stdin);
 		if (got == TEXT_LINE && !more)

@@ -300,9 +300,8 @@ run_entered_lines(struct session *s, char *typed, int *number)
 		end = strchr(line, '\n');
 		if (end != NULL)
 			*end++ = '\0';
-		bool more = script_line_continues(line);
-		script_remove_line_end(line);
 		FREED char *joined = xasprintf("%s%s", prompt.before, line);
+		bool more = script_remove_line_end(joined);
 		free(prompt.before);
 		prompt.before = xstrdup(more ? joined : "");
 		if (!more && run_line_with_pager(s, joined, (*number)++) != 0 &&

@@ -97,7 +97,9 @@ parse_goal_operands(const char *text, const struct fraction *fraction,
 	for (const char *at = text; *at != '\0';) {
 		size_t n = text_length_of_list_item(at);
 		FREED char *one = xstrndup(at, n);
-		if (!parse_goal_operand(text_trim(one), fraction, goal, error))
+		const char *operand = text_trim(one);
+		if (*operand != '\0' &&
+		    !parse_goal_operand(operand, fraction, goal, error))
 			return false;
 		at += n + (at[n] != '\0');
 	}

@@ -297,13 +297,13 @@ bool
 quantities_apply_cut_option(
     struct quantity *q, const struct fraction *cut, struct error *error)
 {
+	FREED char *name = quantities_text_to_type(q);
 	if (q->kind == QUANTITY_SHARE && fraction_is_screened(cut))
 		return error_set(error, ERROR_USAGE,
-		    "%g/%g is itself a fraction, and cut= names another "
-		    "one\nleave out cut=, or ask for the fraction by itself: "
-		    "its share is of the whole product",
-		    units_m_to_mm(q->fraction.fine),
-		    units_m_to_mm(q->fraction.coarse));
+		    "%s is itself a fraction, and cut= names another one\n"
+		    "leave out cut=, or ask for the fraction by itself: its "
+		    "share is of the whole product",
+		    name);
 	if (!fraction_is_screened(&q->fraction))
 		q->fraction = *cut;
 	return true;
@@ -331,16 +331,20 @@ check_comma_has_one_meaning(
     const char *word, const struct quantity *q, struct error *error)
 {
 	const char *comma = strchr(word, ',');
-	double mm = units_m_to_mm(q->x);
-	if (comma == NULL || q->kind != QUANTITY_PASSING || mm < 1 ||
-	    comma[1] == '0')
+	double mm = units_m_to_mm(
+	    q->kind == QUANTITY_PASSING ? q->x : q->fraction.fine);
+	bool retained;
+	bool size = q->kind == QUANTITY_PASSING ||
+		    quantities_word_before_size(word, &retained) > 0;
+	int n = (int)strcspn(word, "0123456789");
+	if (comma == NULL || !size || mm < 1 || comma[1] == '0')
 		return true;
 	FREED char *one = xstrdup(word);
 	one[comma - word] = '.';
 	return error_set(error, ERROR_USAGE,
 	    "expected one size, got '%.0f,%s'\nwrite \"%s\" or, for two sizes, "
-	    "\"passing %.0f, passing %s\"",
-	    floor(mm), comma + 1, one, floor(mm), comma + 1);
+	    "\"%.*s%.0f, %.*s%s\"",
+	    floor(mm), comma + 1, one, n, word, floor(mm), n, word, comma + 1);
 }
 
 struct quantity *

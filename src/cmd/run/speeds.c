@@ -28,17 +28,22 @@ is_speed_list_in_rpm(const struct command *of, const char *word)
 		   strstr(word, "..") != NULL || strchr(word, ',') != NULL);
 }
 
-/* True if the value is a number, list or range that ends in "rpm" or begins
+/* True if the value is a number, list or range with the unit "rpm", or begins
  * with a number too large for a tip speed. */
 static bool
 is_value_in_rpm(const char *value)
 {
 	enum { MOST_RPM = 20000 };
 	double first = strtod(value, NULL);
-	return *value >= '0' && *value <= '9' &&
-	       value[strspn(value, "0123456789.,:rpmRPM")] == '\0' &&
-	       (strpbrk(value, "mM") != NULL ||
-		   (first > SITE_FASTEST && first <= MOST_RPM));
+	bool digit = *value >= '0' && *value <= '9';
+	bool turns = first > SITE_FASTEST && first <= MOST_RPM;
+	while (*(value += strspn(value, "0123456789.,:")) != '\0') {
+		if (!text_is_same_but_case(value, RPM, strlen(RPM)))
+			return false;
+		value += strlen(RPM);
+		turns = true;
+	}
+	return digit && turns;
 }
 
 /* Returns the value in word i, after "from=" or from its beginning, if it is in

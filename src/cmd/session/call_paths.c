@@ -127,11 +127,13 @@ call_paths_map(const struct command_option *option, const char *paths,
 const char *
 call_path_at_sign(const char *word)
 {
+	static const char *const UNIT[] = {"m/s"};
 	struct datetime m;
 	const char *at = strrchr(word, '@');
-	bool name = at == NULL || at == word || access(word, F_OK) == 0 ||
-		    (strchr(at, '/') != NULL && !text_ends_with(at, "m/s") &&
-			!datetime_parse(at + 1, &m));
+	bool name =
+	    at == NULL || at == word || access(word, F_OK) == 0 ||
+	    (strchr(at, '/') != NULL && text_file_ending(at, UNIT, 1) > 0 &&
+		!datetime_parse(at + 1, &m));
 	return name ? NULL : at;
 }
 

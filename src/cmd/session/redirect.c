@@ -43,6 +43,7 @@ struct output {
 
 static const struct output OUTPUTS[] = {{".csv", OUTPUT_ANSWERS, ANSWER_CSV},
     {".json", OUTPUT_ANSWERS, ANSWER_JSON},
+    {".jsonl", OUTPUT_ANSWERS, ANSWER_JSON},
     {".md", OUTPUT_ANSWERS, ANSWER_MARKDOWN}, {".xlsx", OUTPUT_BOOK, 0},
     {".html", OUTPUT_HTML, 0}, {".svg", OUTPUT_PICTURE, 0},
     {".png", OUTPUT_PICTURE, 0}, {".pdf", OUTPUT_PICTURE, 0},
@@ -66,11 +67,9 @@ find_output_format(const struct command *command, const struct words *words)
  * written instead. */
 static const struct {
 	const char *instead, *ends;
-	bool appends;
-} UNWRITTEN[] = {{".csv", ".tsv", true}, {".json", ".jsonl", true},
-    {".xlsx", ".ods .xls .xlsb .xlsm", false},
-    {".html", ".htm .doc .docx .odt", false}, {".pdf", ".eps", false},
-    {".png", ".jpg .jpeg .gif .webp .tif .tiff", false}};
+} UNWRITTEN[] = {{".csv", ".tsv"}, {".xlsx", ".ods .xls .xlsb .xlsm"},
+    {".html", ".htm .doc .docx .odt"}, {".pdf", ".eps"},
+    {".png", ".jpg .jpeg .gif .webp .tif .tiff"}};
 
 /* Returns false with an error for a file of a kind that is not written, with a
  * line that works. */
@@ -95,7 +94,7 @@ check_file_kind_is_written(const struct command *command,
 		journal_append_quoted_word(&line, words->text[j]);
 	FREED char *file =
 	    xasprintf("%.*s%s", (int)(end - target), target, instead);
-	bool more = words->to == TO_APPEND && UNWRITTEN[i].appends;
+	bool more = words->to == TO_APPEND && strcmp(instead, ".csv") == 0;
 	xappend(&line, more ? " >>" : " >");
 	journal_append_quoted_word(&line, file);
 	return error_set(error, ERROR_USAGE,

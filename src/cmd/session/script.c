@@ -55,8 +55,8 @@ count_script_commands(FILE *in)
 		return 0;
 	while (text_read_line(&line, &n, &room, in) == TEXT_LINE) {
 		commands += !more && is_line_with_command(line);
-		more = script_line_continues(line);
-		n = 0;
+		more = script_remove_line_end(line);
+		n = more ? strlen(line) : 0;
 	}
 	return fseek(in, begin, SEEK_SET) == 0 ? commands : 0;
 }
@@ -115,19 +115,14 @@ script_close_to_depth(struct session *s, size_t depth)
 }
 
 bool
-script_line_continues(const char *line)
-{
-	size_t n = strcspn(line, "\r\n");
-	return n > 0 && line[n - 1] == '\\' && !words_end_in_comment(line);
-}
-
-void
 script_remove_line_end(char *line)
 {
 	size_t n = strcspn(line, "\r\n");
-	if (script_line_continues(line))
-		line[n - 1] = ' ';
 	line[n] = '\0';
+	bool more = n > 0 && line[n - 1] == '\\' && !words_end_in_comment(line);
+	if (more)
+		line[n - 1] = ' ';
+	return more;
 }
 
 static bool
@@ -171,9 +166,8 @@ read_continued_line(struct script *script, int *first, struct error *error)
 		if (!any)
 			*first = script->number;
 		any = true;
-		more = good && script_line_continues(line + from);
-		script_remove_line_end(line + from);
-		n = from += strlen(line + from);
+		more = script_remove_line_end(line) && good;
+		n = from = strlen(line);
 	}
 	if (got == TEXT_TOO_LONG)
 		good = script_set_error_long_line(

@@ -44,11 +44,9 @@ void script_close_to_depth(struct session *s, size_t depth);
 bool script_set_error_long_line(
     const char *name, int line, struct error *error);
 
-/* True if the line ends in \, so that the next one continues it.  A comment
- * does not continue. */
-bool script_line_continues(const char *line);
-
-/* Removes the line break, and turns a \ before it into a space. */
-void script_remove_line_end(char *line);
+/* Removes the line break from a line and those before it that it continues.
+ * Returns true if the next one continues it, because it ends in \, which becomes
+ * a space.  A comment does not continue. */
+bool script_remove_line_end(char *line);
 
 #endif
