@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "io/cells/datetime.h"
 #include "io/sitefile/lexicon.h"
@@ -33,8 +34,9 @@ only_date_in_heading(const char *heading)
 		size_t last = strcspn(year, BETWEEN);
 		FREED char *word = xstrndup(p, n);
 		FREED char *words = xstrndup(p, (size_t)(year - p) + last);
-		/* "3 May 72 m/s" has no year. */
-		bool named = last == 4 && is_date(words, &m);
+		/* "3 May 72 m/s" and "3 May, 2000 rpm" have no year. */
+		bool named = last == 4 && is_date(words, &m) &&
+			     !text_is_same_but_case(year + 4, " rpm", 4);
 		p = named ? year + last : p + n;
 		if (!named && !is_date(word, &m))
 			continue;
