@@ -51,8 +51,8 @@ limits_of_the_fines_alone_may_be_small(void **state)
 	assert_non_null(spec);
 	assert_true(spec->most[2] == 0.01);
 	spec_free(spec);
-	assert_null(read_spec(
-	    "size_mm,max_pct\n8,1\n4,0.85\n0.063,0.05\n", &errors));
+	assert_null(
+	    read_spec("size_mm,max_pct\n8,1\n4,0.85\n0.063,0.05\n", &errors));
 }
 
 static void
