@@ -117,15 +117,18 @@ has_word_like_date(const char *heading)
 {
 	static const char DIGITS[] = "0123456789";
 	for (const char *p = heading; *p != '\0'; p += *p != '\0') {
+		char sign[4] = "";
 		size_t parts = 0, n;
 		while ((n = strspn(p, DIGITS)) > 0) {
 			parts += n < 5;
 			p += n;
 			if (*p == '\0' || strchr("./-", *p) == NULL)
 				break;
-			p++;
+			sign[parts < 3 ? parts : 3] = *p++;
 		}
-		if (parts == 3)
+		/* "8/11.2" and "0.063-2" are fractions. */
+		if (parts == 3 &&
+		    (sign[1] == sign[2] || (sign[1] == '/' && sign[2] == '-')))
 			return true;
 	}
 	return false;
