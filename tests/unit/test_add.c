@@ -500,6 +500,16 @@ static const struct {
      "2026-05-03 10:00,1350,180000,120000,1.5\n"
      "2026-05-03 10:01,1360,187500,121000,1.55\n"
      "2026-05-03 10:02,1370,190000,122000,1.56\n",
+	NULL, 0, DATETIME_OPEN},
+    {"Time,Rotor rpm,Power A/B,Throughput tonnes/hr,Water kg/h\n"
+     "2026-05-03 10:00,1350,180,120,900\n"
+     "2026-05-03 10:01,1360,187.5,121,900\n"
+     "2026-05-03 10:02,1370,190,122,900\n",
+	NULL, 0, DATETIME_OPEN},
+    {"Time,Rotor rpm,Motor 1/2 effekt,Throughput t/h (short head)\n"
+     "2026-05-03 10:00,1350,180,120\n"
+     "2026-05-03 10:01,1360,187.5,121\n"
+     "2026-05-03 10:02,1370,190,122\n",
 	NULL, 0, DATETIME_OPEN}};
 
 static void
@@ -530,6 +540,22 @@ logs_of_several_programs_say_the_same(void **state)
 		assert_near(w.most[LOG_RPM], 1370, 1e-9);
 		plant_log_free(log);
 	}
+}
+
+static void
+a_log_tells_what_is_converted_or_left_out(void **state)
+{
+	(void)state;
+	struct error e;
+	struct plant_log *log = read_log(
+	    "Time,rpm,MW power,Feed rate m3/h,Throughput short tons/h\n"
+	    "2026-05-03 10:00,1350,0.18,80,120\n",
+	    NULL, 0, DATETIME_OPEN, &e);
+	assert_non_null(log);
+	assert_string_equal(log->read_as,
+	    "time in column 1, rpm in 2, kW in 3 (* 1000), t/h in 5 (* "
+	    "0.9072), not column 4");
+	plant_log_free(log);
 }
 
 static void
@@ -798,6 +824,7 @@ main(void)
 	    AT_DESK(one_product_checks_recalled_parameters),
 	    cmocka_unit_test(dates_are_read_in_one_way_or_not_at_all),
 	    cmocka_unit_test(logs_of_several_programs_say_the_same),
+	    cmocka_unit_test(a_log_tells_what_is_converted_or_left_out),
 	    cmocka_unit_test(logs_that_are_open_are_refused),
 	    cmocka_unit_test(dates_of_one_order_settle_the_others),
 	    AT_DESK(a_log_gives_the_speed_of_a_cut),

@@ -42,6 +42,20 @@ limits_and_their_gaps_are_read(void **state)
 }
 
 static void
+limits_of_the_fines_alone_may_be_small(void **state)
+{
+	(void)state;
+	struct error_list errors;
+	struct spec *spec = read_spec(
+	    "size_mm,min_pct,max_pct\n8,,\n4,,\n0.063,0,1\n", &errors);
+	assert_non_null(spec);
+	assert_true(spec->most[2] == 0.01);
+	spec_free(spec);
+	assert_null(
+	    read_spec("size_mm,max_pct\n8,1\n4,0.85\n0.063,0.05\n", &errors));
+}
+
+static void
 a_cut_says_which_fraction_it_is_for(void **state)
 {
 	(void)state;
@@ -155,6 +169,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(limits_and_their_gaps_are_read),
+	    cmocka_unit_test(limits_of_the_fines_alone_may_be_small),
 	    cmocka_unit_test(a_cut_says_which_fraction_it_is_for),
 	    cmocka_unit_test(a_spec_without_a_name_has_that_of_its_file),
 	    cmocka_unit_test(faults_have_their_place),

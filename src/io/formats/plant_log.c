@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/plant_log.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,13 +29,14 @@ static const char
     POWER[] = "kw power effekt motoreffekt leistung motorleistung "
 	      "antriebsleistung wirkleistung puissance potencia potenza teho "
 	      "moottoriteho effekten",
-    RATE[] = "t/h tph mtph ton/h tons/h t/tim t/std ton/tim kg/s kg/h t/min "
-	     "t/d t/day t/dygn tpd lb/h stph feedrate throughput tonnage "
-	     "kapacitet produktion durchsatz durchsatzleistung aufgabeleistung "
-	     "debit caudal vazao kapasiteetti kapasitet",
+    RATE[] = "feedrate throughput tonnage kapacitet produktion durchsatz "
+	     "durchsatzleistung aufgabeleistung debit caudal vazao "
+	     "kapasiteetti kapasitet",
+    SHORT[] = "us stph",
     /* Words for quantities that are not wanted, and for other machines. */
     OTHER[] = "kwh mwh kva kvar factor faktor % hz percent set setpoint sp "
-	      "borvarde sollwert limit alarm",
+	      "borvarde sollwert limit alarm kwh/t kw/t w/t kwh/ton kw/ton "
+	      "water vatten wasser dust damm staub fuel",
     MACHINE[] =
 	"feeder matare syotin alimentador alimentateur aufgeber belt band "
 	"conveyor transportor forderband fan flakt screen sikt pump a amp",
@@ -51,11 +53,17 @@ static const struct {
     {LOG_POWER, "ps hk cv", 0.7355}, {LOG_RATE, "kg/s", 3.6},
     {LOG_RATE, "kg/h", 1e-3}, {LOG_RATE, "t/min", 60},
     {LOG_RATE, "t/d t/day t/dygn tpd", 1. / 24},
-    {LOG_RATE, "lb/h", 0.00045359237}, {LOG_RATE, "stph short us", 0.90718474},
-    {LOG_RATE, "t/h tph mtph ton/h tons/h t/tim t/std ton/tim", 1}};
+    {LOG_RATE, "lb/h lbs/h", 0.00045359237},
+    {LOG_RATE,
+	"stph t/h tph mtph ton/h tons/h t/tim t/std ton/tim t/hr tn/h mt/h "
+	"ton/hr "
+	"tons/hr tonne/h tonnes/h tonnes/hr ton/hour tons/hour tonnes/hour "
+	"ton/timme t/timme t/stunde t/heure t/uur mg/h",
+	1}};
 
-/* What a column of a log contains: an enum log_column, or one of these. */
-enum kind { NO_KIND = LOG_COLUMNS, TIME };
+/* What a column of a log contains: an enum log_column, or one of these.
+ * LEFT_OUT: a power or rate that is not wanted. */
+enum kind { NO_KIND = LOG_COLUMNS, LEFT_OUT, TIME };
 
 /* A log being read.  first: the first row of data.  date, clock: the columns of
  * dates and times of day, which may be the same.  kind, head [n_column]: what
@@ -80,7 +88,10 @@ plant_log_text_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
 	FREED char *folded = text_fold_case_and_accents(text);
-	bool found = strstr(folded, "feed rate") != NULL && words == RATE;
+	const char *phrase = words == RATE    ? "feed rate"
+			     : words == SHORT ? "short t"
+					      : NULL;
+	bool found = phrase != NULL && strstr(folded, phrase) != NULL;
 	char *next = NULL;
 	size_t which;
 	for (char *word = strtok_r(folded, BREAKS, &next);
@@ -89,18 +100,21 @@ plant_log_text_has_word(const char *text, const char *words)
 	return found;
 }
 
-/* Sets *scale to the factor from the unit in a heading to that of LOG_UNITS.
- * Returns NO_KIND for a heading with another unit, "kWh/t", else kind. */
-static unsigned
-plant_log_kind_by_unit(const char *text, enum log_column kind, double *scale)
+/* Sets *scale to the factor from the unit of a kind in a heading to that of
+ * LOG_UNITS.  Returns false if there is none. */
+static bool
+plant_log_find_unit(const char *text, enum log_column kind, double *scale)
 {
-	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++)
-		if (UNITS[i].kind == kind &&
-		    plant_log_text_has_word(text, UNITS[i].words)) {
-			*scale = UNITS[i].scale;
-			return kind;
-		}
-	return strchr(text, '/') != NULL ? (unsigned)NO_KIND : kind;
+	size_t i = 0;
+	while (i < ARRAY_LEN(UNITS) &&
+	       (UNITS[i].kind != kind ||
+		   !plant_log_text_has_word(text, UNITS[i].words)))
+		i++;
+	*scale = i < ARRAY_LEN(UNITS) ? UNITS[i].scale : 1;
+	if (kind == LOG_RATE && *scale == 1 &&
+	    plant_log_text_has_word(text, SHORT))
+		*scale = 0.90718474;
+	return i < ARRAY_LEN(UNITS);
 }
 
 /* Returns what a column contains according to its heading; *scale gets the
@@ -109,15 +123,23 @@ static unsigned
 plant_log_kind_of_heading(
     const char *text, const struct head *head, double *scale)
 {
+	bool unit = plant_log_find_unit(text, LOG_RATE, scale);
+	bool rate = unit || plant_log_text_has_word(text, RATE);
+	bool power = plant_log_text_has_word(text, POWER);
+	const char *per = strchr(text, '/');
+	/* "m3/h" */
+	bool other = !unit && per > text && isalnum((unsigned char)per[-1]) &&
+		     isalpha((unsigned char)per[1]);
+	if (plant_log_text_has_word(text, OTHER) || (rate && other) ||
+	    (!rate && plant_log_text_has_word(text, MACHINE)))
+		return rate || power ? LEFT_OUT : NO_KIND;
+	if (rate)
+		return LOG_RATE;
+	if (power) {
+		plant_log_find_unit(text, LOG_POWER, scale);
+		return LOG_POWER;
+	}
 	*scale = 1;
-	if (plant_log_text_has_word(text, OTHER))
-		return NO_KIND;
-	if (plant_log_text_has_word(text, RATE))
-		return plant_log_kind_by_unit(text, LOG_RATE, scale);
-	if (plant_log_text_has_word(text, MACHINE))
-		return NO_KIND;
-	if (plant_log_text_has_word(text, POWER))
-		return plant_log_kind_by_unit(text, LOG_POWER, scale);
 	if (head->unit == SPEED_RPM || (head->means & WORD_RPM) != 0)
 		return LOG_RPM;
 	if (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0)
@@ -221,7 +243,8 @@ parse_columns_option(struct reading *r, const char *columns)
 		r->head[number - 1] = heading_parse(end + 1);
 		r->kind[number - 1] = plant_log_kind_of_heading(
 		    end + 1, &r->head[number - 1], &r->scale[number - 1]);
-		good = r->kind[number - 1] != NO_KIND;
+		good = r->kind[number - 1] < NO_KIND ||
+		       r->kind[number - 1] == TIME;
 	}
 	if (!good)
 		error_set(error_list_add_item(r->errors), ERROR_USAGE,
@@ -445,9 +468,16 @@ describe_plant_log_columns(struct reading *r)
 		xappend(&text, tr(" and %zu"), r->clock + 1);
 	for (size_t k = 0; k < LOG_COLUMNS; k++)
 		for (size_t c = 0; c < r->n_column; c++)
-			if (r->kind[c] == k)
+			if (r->kind[c] == k) {
 				xappend_to_list(&text, ", ", tr("%s in %zu"),
 				    LOG_UNITS[k], c + 1);
+				if (r->scale[c] != 1)
+					xappend(
+					    &text, " (* %.4g)", r->scale[c]);
+			}
+	for (size_t c = 0; c < r->n_column; c++)
+		if (r->kind[c] == LEFT_OUT)
+			xappend(&text, tr(", not column %zu"), c + 1);
 	if (r->log->read_as[0] == '\0')
 		xappend(&r->log->read_as, "%s", text);
 }

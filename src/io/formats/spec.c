@@ -189,6 +189,7 @@ spec_read_limit_rows(
 {
 	enum { FEW = 3 };
 	double largest = -1;
+	size_t limited = 0;
 	spec->n = t->n_row;
 	spec->size = xcalloc_doubles(t->n_row);
 	spec->least = xcalloc_doubles(t->n_row);
@@ -198,7 +199,9 @@ spec_read_limit_rows(
 		spec->size[i] = t->mm[i] / 1000;
 		spec->least[i] = parse_limit_of_row(t, i, at[0]);
 		spec->most[i] = parse_limit_of_row(t, i, at[1]);
-		largest = fmax(largest, fmax(spec->least[i], spec->most[i]));
+		double larger = fmax(spec->least[i], spec->most[i]);
+		largest = fmax(largest, larger);
+		limited += isnan(larger) ? 0 : 1;
 		if (t->mm[i] <= 0)
 			sheet_report_expected(t->sheet, cell, "a sieve size",
 			    "remove the row: an envelope has no pan");
@@ -208,7 +211,7 @@ spec_read_limit_rows(
 			    "%g\nwere the two swapped?",
 			    100 * spec->least[i], 100 * spec->most[i]);
 	}
-	if (largest >= 0 && largest <= 0.01 && t->n_row >= FEW)
+	if (largest > 0 && largest <= 0.01 && limited >= FEW)
 		sheet_report_fault(t->sheet, site_sieve_heading_cell(t),
 		    "expected limits in per cent, got none above 1\n"
 		    "write per cent passing, such as 85 for 0.85");

@@ -13,6 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/lexicon.h"
+#include "io/sitefile/site_day.h"
 #include "io/cells/datetime.h"
 #include "io/cells/number.h"
 
@@ -745,7 +746,7 @@ leave_out_non_sample_column(const struct column *c, struct site *site)
 		bool day =
 		    t->day != NULL && t->day[c->at] != NULL &&
 		    strcmp(t->day[c->at], t->row[0].cell[c->at].text) == 0;
-		if (!day)
+		if (!day || site_find_unreadable_day(t, c->at) != NULL)
 			leave_out(site, c, "%s: it contains words", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
 		leave_out(site, c, "%s: no sample", head);

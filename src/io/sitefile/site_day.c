@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "io/cells/datetime.h"
 #include "io/sitefile/lexicon.h"
@@ -33,8 +34,9 @@ only_date_in_heading(const char *heading)
 		size_t last = strcspn(year, BETWEEN);
 		FREED char *word = xstrndup(p, n);
 		FREED char *words = xstrndup(p, (size_t)(year - p) + last);
-		/* "3 May 72 m/s" has no year. */
-		bool named = last == 4 && is_date(words, &m);
+		/* "3 May 72 m/s" and "3 May, 2000 rpm" have no year. */
+		bool named = last == 4 && is_date(words, &m) &&
+			     !text_is_same_but_case(year + 4, " rpm", 4);
 		p = named ? year + last : p + n;
 		if (!named && !is_date(word, &m))
 			continue;
@@ -115,15 +117,18 @@ has_word_like_date(const char *heading)
 {
 	static const char DIGITS[] = "0123456789";
 	for (const char *p = heading; *p != '\0'; p += *p != '\0') {
+		char sign[4] = "";
 		size_t parts = 0, n;
 		while ((n = strspn(p, DIGITS)) > 0) {
 			parts += n < 5;
 			p += n;
 			if (*p == '\0' || strchr("./-", *p) == NULL)
 				break;
-			p++;
+			sign[parts < 3 ? parts : 3] = *p++;
 		}
-		if (parts == 3)
+		/* "8/11.2" and "0.063-2" are fractions. */
+		if (parts == 3 &&
+		    (sign[1] == sign[2] || (sign[1] == '/' && sign[2] == '-')))
 			return true;
 	}
 	return false;

@@ -284,13 +284,13 @@ set_or_ask_top_size(struct reading *r, struct site_ask *ask)
 }
 
 /* Reports a sample whose speeds in m/s and in rpm belong to another rotor than
- * the one stated, or than those of `first`, by more than what is rounded off;
- * returns the first sample that states both. */
+ * the one stated, or than those of `first`, by more than what is rounded off,
+ * as 0.85 m to 0.9; returns the first sample that states both. */
 static const struct column *
 check_rpm_agree_with_speed(
     const struct column *c, const struct column *first, double rotor)
 {
-	const double ROUNDED_OFF = 0.05;
+	const double ROUNDED_OFF = 0.05, OF_ROTOR = 0.08;
 	const struct head *a = first != NULL ? &first->said : &c->said;
 	double v = c->said.speed, rpm = c->said.rpm;
 	if (!(v > 0) || !(rpm > 0))
@@ -302,7 +302,7 @@ check_rpm_agree_with_speed(
 		    "and %g m/s at %g rpm\n"
 		    "correct the wrong number, or leave out the rpm",
 		    a->speed, a->rpm, v, rpm);
-	else if (first == NULL && own > 0 && fabs(v / own - 1) > ROUNDED_OFF)
+	else if (first == NULL && own > 0 && fabs(v / own - 1) > OF_ROTOR)
 		sheet_report_fault(c->table->sheet, c->head,
 		    "expected m/s and rpm of the rotor of %g mm, which has %g "
 		    "m/s at %g rpm, got %g m/s\n"
