@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
@@ -93,24 +92,6 @@ envelope_named_or_chosen(
 /* The first words of limits on the modulus for one of several categories, of
  * which the buyer chooses one. */
 static const char CATEGORY[] = "FM category ";
-
-/* Reads the fraction and the screens from the options.  Without cut=, the
- * fraction is the envelope's own. */
-static bool
-parse_envelope_cut_option(const struct args *args, const struct spec *spec,
-    struct fraction *f, struct error *error)
-{
-	const char *cut = args->cut;
-	bool off = cut != NULL && text_is_same_folded(cut, "off");
-	*f = (struct fraction){.fine = spec->cut[0], .coarse = spec->cut[1]};
-	if (off)
-		*f = (struct fraction){0};
-	else if (cut != NULL && !quantities_parse_size_fraction(cut, f, error))
-		return false;
-	f->partition.sharpness = args->sharpness;
-	f->partition.cut_size = args->cut_size / 100;
-	return true;
-}
 
 static bool
 begins_with_text(const char *text, const char *start)
@@ -250,9 +231,12 @@ envelope_open_grading(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *g,
     struct error *error)
 {
-	*g = (struct grading){.spec = spec};
-	return parse_envelope_cut_option(args, spec, &g->fraction, error) &&
-	       open_forecast_of_envelope(s, q, g, error);
+	*g = (struct grading){.spec = spec, .fraction = q->fraction};
+	if (args->cut == NULL) {
+		g->fraction.fine = spec->cut[0];
+		g->fraction.coarse = spec->cut[1];
+	}
+	return open_forecast_of_envelope(s, q, g, error);
 }
 
 bool

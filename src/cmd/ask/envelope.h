@@ -46,8 +46,8 @@ struct grading {
 	struct conditions_search conditions;
 };
 
-/* Opens the comparison with an envelope.  The options cut, sharpness and
- * cut_size of the call describe the screens; cut=off means no screens. */
+/* Opens the comparison of the question's fraction with an envelope; without
+ * cut=, that of the envelope's own fraction. */
 bool envelope_open_grading(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *grading,
     struct error *error);

@@ -543,21 +543,3 @@ quantities_decimals(const struct quantity *q)
 {
 	return strcmp(quantities_unit(q), "%") == 0 ? 1 : 2;
 }
-
-bool
-quantities_parse_cut_option(const struct args *args, struct fraction *fraction,
-    bool alone, struct error *error)
-{
-	*fraction = (struct fraction){0};
-	if (args->cut != NULL &&
-	    !quantities_parse_size_fraction(args->cut, fraction, error))
-		return false;
-	if (args->cut == NULL && !alone &&
-	    (args->sharpness > 0 || args_is_given(args, &args->cut_size)))
-		return error_set(error, ERROR_USAGE,
-		    "sharpness= and cut_size= describe the screens of cut=, "
-		    "which is not given\nadd a fraction such as cut=0/4");
-	fraction->partition.sharpness = args->sharpness;
-	fraction->partition.cut_size = args->cut_size / 100;
-	return true;
-}
