@@ -105,21 +105,13 @@ parse_fineness_modulus(
 	    rest);
 }
 
-static bool
-expect_end_of_quantity(
-    const char *text, const char *rest, struct quantity *q, struct error *error)
-{
-	(void)q;
-	return rest[0] == '\0' || error_expected_quantity(text, error);
-}
-
 enum { OFFERS = 3 };
 static const struct {
 	/* How the kind is written: for people, as a key, as typed, and with
 	 * which unit; %s stands for quantity_text_without_kind.  word: how it
 	 * begins when typed, or NULL. */
 	const char *words, *key, *typed, *unit, *word;
-	/* Parses what follows the word; NULL if the kind cannot be typed. */
+	/* Parses what follows the word; NULL if nothing may. */
 	bool (*read)(const char *text, const char *rest, struct quantity *q,
 	    struct error *error);
 	/* What errors suggest to type, and what completion of a goal offers. */
@@ -134,10 +126,10 @@ static const struct {
 	parse_fraction_bounds, "0/2", {"0/2>="}},
     [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", "",
 	"fm", parse_fineness_modulus, "fm EN", {"fm EN="}},
-    [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", "", "cu",
-	expect_end_of_quantity, "cu", {"cu<"}},
+    [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", "", "cu", NULL,
+	"cu", {"cu<"}},
     [QUANTITY_CURVATURE] = {N_("Cc (D30^2/(D60 D10))"), "cc", "cc", "", "cc",
-	expect_end_of_quantity, "cc", {"cc<"}},
+	NULL, "cc", {"cc<"}},
     [QUANTITY_STEP] = {N_("between two sieves"), "step", "step", " %", NULL,
 	NULL, NULL, {NULL}},
 };
@@ -247,7 +239,8 @@ parse_quantity_by_kind(
 		q->letter = 'f';
 		return true;
 	}
-	return KINDS[q->kind].read(text, rest, q, error);
+	return KINDS[q->kind].read == NULL ||
+	       KINDS[q->kind].read(text, rest, q, error);
 }
 
 bool
