@@ -380,12 +380,7 @@ warn_of_duplicate_cuts(
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, cut->speed, NAN);
 		for (size_t r = 0; r < site->n_run; r++) {
-			const struct psd *p = &site->run[r].product;
-			bool same = site->run[r].speed == cut->speed &&
-				    p->n == cut->product.n &&
-				    memcmp(p->passing, cut->product.passing,
-					p->n * sizeof *p->passing) == 0;
-			if (same)
+			if (cut_is_duplicate(&site->run[r], cut))
 				session_print_note(s,
 				    "  warning: these numbers are identical to "
 				    "the product at %g m/s%s%s: was the cut "
