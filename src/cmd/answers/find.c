@@ -180,8 +180,10 @@ parse_goal(struct session *s, const struct args *args,
 	const struct fraction *fraction = &q->fraction;
 	for (size_t i = 0; i < args->n_operand; i++)
 		if (!parse_goal_operands(
-			args->operand[i], fraction, goal, error))
-			return conditions_set_error_place(args, i, error);
+			args->operand[i], fraction, goal, error)) {
+			error->column = args->column[i];
+			return false;
+		}
 	bool named = goal->n > 0 || args->n_operand > 0;
 	if (!named && goals_is_set(s) &&
 	    !parse_session_goal_value(s, goal, error))

@@ -468,14 +468,6 @@ conditions_check_feed_covers(
 }
 
 bool
-conditions_set_error_place(
-    const struct args *args, size_t i, struct error *error)
-{
-	error->column = args->column[i];
-	return false;
-}
-
-bool
 conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error)
 {
@@ -491,8 +483,10 @@ conditions_add_from_args(struct session *s, const struct args *args,
 			    "range such as 40..50; or, for the speed that "
 			    "gives this value: find \"%s\"",
 			    args->operand[i], args->operand[i]);
-		if (!ok)
-			return conditions_set_error_place(args, i, error);
+		if (!ok) {
+			error->column = args->column[i];
+			return false;
+		}
 		conditions_add(list, c);
 	}
 	return conditions_add_envelope_option(s, args, q, list, error);
