@@ -753,16 +753,6 @@ conditions_note_feed_too_fine(struct answer *r,
 	return true;
 }
 
-/* As conditions_note_feed_too_fine, for the limit missed at the best speed. */
-static bool
-note_feed_too_fine_for_limit(struct answer *r,
-    const struct conditions_search *wanted, const struct speed_search *found)
-{
-	struct wanted_limit missed = found->margin.limit;
-	return conditions_note_feed_too_fine(
-	    r, wanted, &wanted->at[missed.i], missed.most);
-}
-
 /* Notes the limits that exclude slower and faster speeds than the best one.
  * Nothing is known beyond the ends of the search. */
 static void
@@ -770,8 +760,6 @@ note_conflicting_limits(struct answer *r,
     const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct wanted_limit low = found->low, high = found->high;
-	if (note_feed_too_fine_for_limit(r, wanted, found))
-		return;
 	bool slowest = fabs(found->best - wanted->from) < 1e-3,
 	     fastest = fabs(found->best - wanted->to) < 1e-3;
 	FREED char *below = slowest || low.i == SIZE_MAX
@@ -852,16 +840,16 @@ conditions_note_why_unmet(struct answer *r,
 		    wanted->from, wanted->to, range);
 		return;
 	}
+	const struct wanted_limit missed = found->margin.limit;
+	const struct condition *c = &wanted->at[missed.i];
 	forecast_set_speed(wanted->forecast, found->best);
 	FREED char *misses = conditions_margin_text(wanted, found->margin);
 	if (found->alike) {
-		FREED char *words =
-		    conditions_limit_text(wanted->at, found->margin.limit);
+		FREED char *words = conditions_limit_text(wanted->at, missed);
 		answer_note(r,
 		    "no speed from %g to %g m/s%s meets %s: every speed misses "
 		    "%s equally, by %s",
 		    wanted->from, wanted->to, range, what, words, misses);
-		note_feed_too_fine_for_limit(r, wanted, found);
 	} else {
 		FREED char *rpm = rotor_speed_rpm_text(
 		    wanted->entry->site->rotor, found->best, NAN);
@@ -871,8 +859,10 @@ conditions_note_why_unmet(struct answer *r,
 		    wanted->from, wanted->to, range, what, found->best, rpm,
 		    misses);
 		note_nearest_measured_speed(r, wanted, found);
-		note_conflicting_limits(r, wanted, found);
 	}
+	bool fine = conditions_note_feed_too_fine(r, wanted, c, missed.most);
+	if (!fine && !found->alike)
+		note_conflicting_limits(r, wanted, found);
 }
 
 /* Returns the end of the range around the best speed that is farther beyond the
