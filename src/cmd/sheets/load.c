@@ -50,8 +50,7 @@ split_file_and_speed(
 	if (at == NULL)
 		return true;
 	struct head head = heading_parse(at);
-	char **copy = path;
-	(*copy)[at - word] = '\0';
+	(*path)[at - word] = '\0';
 	*speed = head.rpm > 0 ? -head.rpm : head.speed;
 	if (*speed != 0 && *speed <= SITE_FASTEST && !head.several)
 		return true;
