@@ -785,8 +785,8 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	const struct spec *spec =
 	    envelope_named_or_chosen(s, args->spec, error);
 	struct grading g;
-	if (spec == NULL ||
-	    !envelope_open_grading(s, args, spec, goal->question, &g, error))
+	if (spec == NULL || !envelope_open_grading(
+				s, args->cut, spec, goal->question, &g, error))
 		return false;
 	g.conditions.from = goal->wanted.from;
 	g.conditions.to = goal->wanted.to;
