@@ -3,7 +3,6 @@
 #include "cmd/ask/condition_words.h"
 
 #include <ctype.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"

@@ -4,7 +4,6 @@
 #include "cmd/ask/envelope.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"

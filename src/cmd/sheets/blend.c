@@ -1,7 +1,6 @@
 /* blend: mixes feeds by mass, and predicts the site's product from the mixture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
