@@ -161,12 +161,10 @@ static void
 show_blend(struct session *s, const struct args *args, const struct blended *b)
 {
 	struct error none = {0};
-	if (s->n_entry == 0) {
-		show_blended_feed(s, b, tr("no site is loaded"));
-		return;
-	}
-	if (!answers_require_params_current_site(s, &none)) {
-		show_blended_feed(s, b, none.text);
+	bool loaded = s->n_entry > 0;
+	if (!loaded || !answers_require_params_current_site(s, &none)) {
+		show_blended_feed(
+		    s, b, loaded ? none.text : tr("no site is loaded"));
 		return;
 	}
 	const struct scenario scenario = {
