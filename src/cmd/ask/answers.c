@@ -29,13 +29,13 @@ const struct product_size ANSWERS_SIZE[ANSWERS_SIZES] = {
 void
 answers_put_feed_and_machine(struct answer *r, const struct site *site)
 {
-	if (site->feed_from[0] != '\0')
-		fields_put_values(
-		    answer_json_fields(r), "feed %s", site->feed_from);
-	if (site->with[0] != '\0')
-		fields_put_values(answer_json_fields(r), "with %s", site->with);
-	if (site->feed_from[0] != '\0')
+	struct fields *o = answer_json_fields(r);
+	if (site->feed_from[0] != '\0') {
+		fields_put_values(o, "feed %s", site->feed_from);
 		answer_repeat_fields_in_rows(r, "feed");
+	}
+	if (site->with[0] != '\0')
+		fields_put_values(o, "with %s", site->with);
 	answer_repeat_fields_in_rows(r, "with");
 }
 

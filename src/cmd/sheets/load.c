@@ -358,13 +358,12 @@ static bool
 load_requested_files(
     struct session *s, struct load *l, bool skip, struct error *error)
 {
-	if (l->request.n == 1 && !skip)
-		return load_files_as_one_site(s, l, error);
-	if (l->request.n > 1 && are_files_parts_of_site(s, l))
+	size_t n = l->request.n;
+	if (n == 1 ? !skip : n > 1 && are_files_parts_of_site(s, l))
 		return load_files_as_one_site(s, l, error);
 	if (l->digest != NULL)
 		return error_set(error, ERROR_USAGE,
-		    "expected one file with digest=, got %zu", l->request.n);
+		    "expected one file with digest=, got %zu", n);
 	return load_each_file_as_site(s, l, skip, error);
 }
 
