@@ -195,9 +195,8 @@ static void
 apply_page_settings(struct tui *t)
 {
 	const struct settings *set = &t->session->set;
-	struct error error = {0};
 	if (!quantities_parse_one(
-		set->quantity, &PARTITION_IDEAL, &t->ui.quantity, &error))
+		set->quantity, &PARTITION_IDEAL, &t->ui.quantity, NULL))
 		t->ui.quantity = response_strip_default_quantity();
 	t->ui.page = (enum page)set->page;
 	tui_clear_click_areas(t);

@@ -214,10 +214,9 @@ rewrite_value_first_condition(const char *text)
 	bool percent = strchr(text, '%') != NULL, retained;
 	size_t word = quantities_word_before_size(of, &retained);
 	struct quantity q;
-	struct error none = {0};
 	bool named = word > 0 ? percent || *of != '<'
 			      : percent && quantities_parse_one(
-					       of, &PARTITION_IDEAL, &q, &none);
+					       of, &PARTITION_IDEAL, &q, NULL);
 	return n > 0 && named && strpbrk(of + word, "<>=") == NULL
 		   ? xasprintf("%s %c %.*s %%", of, sign, n, text)
 		   : NULL;
@@ -263,15 +262,14 @@ static char *
 split_quantity_and_limit(
     const char *text, const struct fraction *fraction, struct condition *c)
 {
-	struct error none = {0};
 	FREED char *name = xstrdup(text);
 	for (size_t n = strlen(text); n-- > 0;) {
 		if (text[n] != ' ')
 			continue;
 		name[n] = '\0';
 		if (quantities_parse_one(
-			name, &fraction->partition, &c->quantity, &none) &&
-		    parse_range_or_number(text + n, c, &none))
+			name, &fraction->partition, &c->quantity, NULL) &&
+		    parse_range_or_number(text + n, c, NULL))
 			return xstrdup(text_trim(name));
 	}
 	return NULL;
@@ -358,10 +356,9 @@ conditions_is_likely_complete(const char *text)
 {
 	bool most;
 	const char *of = conditions_parse_max_or_min(text, &most);
-	struct error none = {0};
 	struct quantity q;
 	if (of != NULL)
-		return quantities_parse_one(of, &PARTITION_IDEAL, &q, &none);
+		return quantities_parse_one(of, &PARTITION_IDEAL, &q, NULL);
 	const struct fraction whole = {.partition = PARTITION_IDEAL};
 	FREED char *with = replace_limit_words_by_sign(text);
 	const char *sign = strpbrk(with, "<>=");

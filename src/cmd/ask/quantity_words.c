@@ -268,7 +268,6 @@ bool
 quantities_is_beginning_of_text(const char *text)
 {
 	struct quantity q;
-	struct error error = {0};
 	size_t item = text_length_of_list_item(text);
 	size_t n = strcspn(text, " \t<>=");
 	n = n < item ? n : item;
@@ -283,7 +282,7 @@ quantities_is_beginning_of_text(const char *text)
 		if (n > 0 && text_is_same_but_case(BEFORE[i].word, word, n) &&
 		    BEFORE[i].word[n] == ' ')
 			return true;
-	return quantities_parse_one(word, &PARTITION_IDEAL, &q, &error);
+	return quantities_parse_one(word, &PARTITION_IDEAL, &q, NULL);
 }
 
 bool
@@ -344,7 +343,6 @@ quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
 	bool ok = true;
 	*n = 0;
 	for (const char *at = text; ok && *at != '\0';) {
-		struct error none = {0};
 		size_t length = text_length_of_list_item(at);
 		FREED char *word = xstrndup(at, length);
 		struct quantity *q = &list[*n];
@@ -352,7 +350,7 @@ quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
 		     check_comma_has_one_meaning(word, q, error) &&
 		     quantities_apply_cut_option(q, cut, error);
 		if (ok &&
-		    quantities_check_feed_covers(q, feed, all ? error : &none))
+		    quantities_check_feed_covers(q, feed, all ? error : NULL))
 			++*n;
 		else
 			ok = ok && !all;

@@ -607,12 +607,11 @@ misfit_of_present_params(const struct session *s)
 	const struct entry *entry = &s->entry[s->job.entry];
 	struct calibrate_options options = s->job.options;
 	size_t breakage = entry->params.breakage;
-	struct error error;
 	options.train = s->job.train;
 	options.run_weight = s->job.run_weight;
 	options.settings.breakage = (unsigned)breakage;
-	if (!entry->has_params || !fit_check_settings_allow_model(
-				      &options.settings, breakage, &error))
+	if (!entry->has_params ||
+	    !fit_check_settings_allow_model(&options.settings, breakage, NULL))
 		return INFINITY;
 	struct misfit *m = calibrate_make_misfit(entry->site, &options);
 	double misfit = misfit_of_params(m, &entry->params);
