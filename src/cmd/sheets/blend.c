@@ -200,17 +200,17 @@ write_blend_as_sheet(struct session *s, const struct args *args,
 bool
 cmd_blend(struct session *s, const struct args *args, struct error *error)
 {
-	struct blended b = {0};
+	struct blended *b = xcalloc(1, sizeof *b);
 	bool good = true;
 	for (size_t i = 0; good && i < args->n_operand; i++)
-		good = read_blend_component(s, args->operand[i], &b, error);
+		good = read_blend_component(s, args->operand[i], b, error);
 	if (good) {
-		blended_mix_feeds(&b);
+		blended_mix_feeds(b);
 		good = args->out == NULL ||
-		       write_blend_as_sheet(s, args, &b, error);
+		       write_blend_as_sheet(s, args, b, error);
 		if (good)
-			show_blend(s, args, &b);
+			show_blend(s, args, b);
 	}
-	blended_clear(&b);
+	blended_free(b);
 	return good;
 }
