@@ -303,8 +303,7 @@ run_entered_lines(struct session *s, char *typed, int *number)
 		bool more = script_line_continues(line);
 		script_remove_line_end(line);
 		FREED char *joined = xasprintf("%s%s", prompt.before, line);
-		free(prompt.before);
-		prompt.before = xstrdup(more ? joined : "");
+		xfree_and_set(&prompt.before, xstrdup(more ? joined : ""));
 		if (!more && run_line_with_pager(s, joined, (*number)++) != 0 &&
 		    prompt.offer.line != NULL)
 			prompt.stage = -1;

@@ -419,11 +419,10 @@ conditions_add_envelope(const struct spec *spec,
 		xappend_to_list(&unchecked, tr(" and "), "%s",
 		    tr("the fineness modulus, which needs finer sieves of the "
 		       "feed"));
-	free(list->source);
-	list->source =
+	xfree_and_set(&list->source,
 	    spec->source[0] != '\0'
 		? xasprintf(tr("limits of %s: %s"), spec->name, spec->source)
-		: xasprintf(tr("limits of %s"), spec->name);
+		: xasprintf(tr("limits of %s"), spec->name));
 	if (unchecked[0] != '\0')
 		xappend_to_list(
 		    &list->source, "; ", tr("not checked: %s"), unchecked);

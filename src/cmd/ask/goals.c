@@ -71,8 +71,7 @@ add_limits_of_named_envelope(struct session *s, const char *name,
 		else if (is_single_value_condition(c))
 			c->least = NAN;
 	}
-	free(list->source);
-	list->source = NULL;
+	xfree_and_set(&list->source, NULL);
 	return ok;
 }
 
@@ -423,10 +422,9 @@ goal_met_or_nearest_text(const struct session *s, const struct entry *entry,
 	     alone = told && !full && isfinite(g->found->sure[0]);
 	const char *beyond = goal_extrapolation_text(entry, g, best, alone);
 	char *words = goal_met_speeds_text(g, entry->site, full);
-	if (words[0] == '\0') {
-		free(words);
-		words = goal_met_nowhere_text(entry->site, g, best, length);
-	}
+	if (words[0] == '\0')
+		xfree_and_set(&words,
+		    goal_met_nowhere_text(entry->site, g, best, length));
 	if (g->missed != NULL && full)
 		xappend(&words, ": %s", g->missed);
 	if (alone)

@@ -47,8 +47,7 @@ copy_site_with_scenario(const struct site *own, const struct scenario *w)
 	struct site *site = f != NULL ? site_copy_with_feed(own, &f->feed,
 					    blended_source_text(f), f->of)
 				      : site_copy(own);
-	free(site->with);
-	site->with = scenario_text(w);
+	xfree_and_set(&site->with, scenario_text(w));
 	if (w->rotor > 0) {
 		site->run_rotor = own->rotor;
 		site->rotor = w->rotor;

@@ -295,8 +295,8 @@ ask_about_column(
 		words = parse_column_answer(c, rest ? "-" : answer, wrong);
 		q->first = false;
 	} while (words == NULL && wrong[0] != '\0');
-	free(c->guess);
-	c->guess = words != NULL ? words : xstrdup(rest ? "." : "-");
+	xfree_and_set(
+	    &c->guess, words != NULL ? words : xstrdup(rest ? "." : "-"));
 	c->open = false;
 	return true;
 }
@@ -449,9 +449,8 @@ parse_tables_answer(const struct site_ask *ask, const char *said,
 		    ask->n, said);
 		return false;
 	}
-	free(into->range);
-	into->range =
-	    cell_range_text(cell_range_around_tables(ask, from - 1, to - 1));
+	xfree_and_set(&into->range,
+	    cell_range_text(cell_range_around_tables(ask, from - 1, to - 1)));
 	return true;
 }
 
