@@ -177,9 +177,8 @@ add_synthetic_sites(struct folder *folder)
 void
 folder_list_shipped_sites(struct folder *folder)
 {
-	char *path = shipped_sites_folder();
+	FREED char *path = shipped_sites_folder();
 	folder_list(folder, path);
-	free(path);
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];
 		if (item->kind == FOLDER_SHEET)

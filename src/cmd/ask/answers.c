@@ -296,12 +296,12 @@ append_p_size_with_range(
     char **list, const struct psd *psd, size_t i, const double *range)
 {
 	double x = psd_size_at_passing(psd, PSD_PASSING[i]);
-	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
-				 : size_beyond_sieves_text(psd, PSD_PASSING[i]);
+	FREED char *size = isfinite(x)
+			       ? xasprintf("%.2f", 1000 * x)
+			       : size_beyond_sieves_text(psd, PSD_PASSING[i]);
 	bool first = *list[0] == '\0';
 	xappend_to_list(list, ", ", "%s %s%s", PSD_NAME[i], size,
 	    first || size[0] > '9' ? " mm" : "");
-	free(size);
 	if (!isfinite(range[1]))
 		return;
 	if (isfinite(range[0]))

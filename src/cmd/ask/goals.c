@@ -177,13 +177,11 @@ value_beyond_limit_text(const struct condition *c, double value, bool most)
 	const char *unit = quantities_unit(q);
 	double bound =
 	    quantities_value_in_shown_unit(q, most ? c->most : c->least);
-	char *name = quantities_name(q), number[32], edge[32];
+	FREED char *name = quantities_name(q);
+	char number[32], edge[32];
 	int digits = 3;
-	if (isnan(value)) {
-		char *beyond = xasprintf(tr("%s beyond the sieves"), name);
-		free(name);
-		return beyond;
-	}
+	if (isnan(value))
+		return xasprintf(tr("%s beyond the sieves"), name);
 	snprintf(edge, sizeof edge, "%g", bound);
 	do
 		snprintf(number, sizeof number, "%.*g", digits++,
@@ -193,7 +191,6 @@ value_beyond_limit_text(const struct condition *c, double value, bool most)
 	    "%s %s%s%s", name, number, unit[0] != '\0' ? " " : "", unit);
 	if (!is_single_value_condition(c))
 		xappend(&words, " (%s %s)", most ? tr("max") : tr("min"), edge);
-	free(name);
 	return words;
 }
 
