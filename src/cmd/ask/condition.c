@@ -376,9 +376,7 @@ conditions_parse_list(const char *text, const struct fraction *fraction,
 		struct condition c;
 		size_t length = text_length_of_list_item(at);
 		FREED char *copy = xstrndup(at, length);
-		bool ok =
-		    conditions_parse_one(text_trim(copy), fraction, &c, error);
-		if (!ok)
+		if (!conditions_parse_one(text_trim(copy), fraction, &c, error))
 			return false;
 		conditions_add(list, c);
 		at += length + (at[length] != '\0');
