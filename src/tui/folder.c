@@ -170,17 +170,15 @@ add_synthetic_sites(struct folder *folder)
 		}
 	}
 	material_list_free(&paper);
-	free(folder->path);
-	folder->path = xstrdup(tr("from Table 3"));
+	xfree_and_set(&folder->path, xstrdup(tr("from Table 3")));
 	folder->why = NULL;
 }
 
 void
 folder_list_shipped_sites(struct folder *folder)
 {
-	char *path = shipped_sites_folder();
+	FREED char *path = shipped_sites_folder();
 	folder_list(folder, path);
-	free(path);
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];
 		if (item->kind == FOLDER_SHEET)

@@ -3,7 +3,6 @@
 #include "tui/keymap.h"
 
 #include <signal.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -117,8 +116,7 @@ act_propose_save(struct tui *t, const struct key *key)
 						saved ? "" : " replace=on")
 					  : xasprintf("%s.tip", slug);
 	for (int i = 2; holder == NULL && access(name, F_OK) == 0; i++) {
-		free(name);
-		name = xasprintf("%s-%d.tip", slug, i);
+		xfree_and_set(&name, xasprintf("%s-%d.tip", slug, i));
 	}
 	edit_begin_with_proposal(&t->line, "save ", name);
 }

@@ -182,8 +182,10 @@ parse_goal(struct session *s, const struct args *args,
 	const struct fraction *fraction = &q->fraction;
 	for (size_t i = 0; i < args->n_operand; i++)
 		if (!parse_goal_operands(
-			args->operand[i], fraction, goal, error))
-			return conditions_set_error_place(args, i, error);
+			args->operand[i], fraction, goal, error)) {
+			error->column = args->column[i];
+			return false;
+		}
 	bool named = goal->n > 0 || args->n_operand > 0;
 	if (!named && goals_is_set(s) &&
 	    !parse_session_goal_value(s, goal, error))
@@ -785,8 +787,8 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	const struct spec *spec =
 	    envelope_named_or_chosen(s, args->spec, error);
 	struct grading g;
-	if (spec == NULL ||
-	    !envelope_open_grading(s, args, spec, goal->question, &g, error))
+	if (spec == NULL || !envelope_open_grading(
+				s, args->cut, spec, goal->question, &g, error))
 		return false;
 	g.conditions.from = goal->wanted.from;
 	g.conditions.to = goal->wanted.to;

@@ -3,7 +3,6 @@
 #include "cmd/answers/predict.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"

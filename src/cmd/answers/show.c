@@ -446,10 +446,9 @@ static bool
 error_no_such_thing_to_show(struct session *s, const char *what,
     const struct args *args, struct error *error)
 {
-	struct error none = {0};
 	size_t at;
 	error_set(error, ERROR_USAGE, "there is no '%s' to show", what);
-	if (session_find_site(s, what, &at, &none))
+	if (session_find_site(s, what, &at, NULL))
 		return error_set_hint(error,
 		    "'%s' is a loaded site: write 'use %s; show'", what, what);
 	return error_set_hint(

@@ -214,7 +214,7 @@ compare_product_with_envelope(struct session *s, const struct args *args,
 	FREED char *words = join_operands(args, 0);
 	const struct spec *spec = envelope_named_or_chosen(s, words, error);
 	if (spec == NULL || !answers_require_params_current_site(s, error) ||
-	    !envelope_open_grading(s, args, spec, q, &g, error))
+	    !envelope_open_grading(s, args->cut, spec, q, &g, error))
 		return false;
 	FREED char *name = envelope_title_text(&g);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);

@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -29,13 +28,13 @@ const struct product_size ANSWERS_SIZE[ANSWERS_SIZES] = {
 void
 answers_put_feed_and_machine(struct answer *r, const struct site *site)
 {
-	if (site->feed_from[0] != '\0')
-		fields_put_values(
-		    answer_json_fields(r), "feed %s", site->feed_from);
-	if (site->with[0] != '\0')
-		fields_put_values(answer_json_fields(r), "with %s", site->with);
-	if (site->feed_from[0] != '\0')
+	struct fields *o = answer_json_fields(r);
+	if (site->feed_from[0] != '\0') {
+		fields_put_values(o, "feed %s", site->feed_from);
 		answer_repeat_fields_in_rows(r, "feed");
+	}
+	if (site->with[0] != '\0')
+		fields_put_values(o, "with %s", site->with);
 	answer_repeat_fields_in_rows(r, "with");
 }
 
@@ -296,12 +295,12 @@ append_p_size_with_range(
     char **list, const struct psd *psd, size_t i, const double *range)
 {
 	double x = psd_size_at_passing(psd, PSD_PASSING[i]);
-	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
-				 : size_beyond_sieves_text(psd, PSD_PASSING[i]);
+	FREED char *size = isfinite(x)
+			       ? xasprintf("%.2f", 1000 * x)
+			       : size_beyond_sieves_text(psd, PSD_PASSING[i]);
 	bool first = *list[0] == '\0';
 	xappend_to_list(list, ", ", "%s %s%s", PSD_NAME[i], size,
 	    first || size[0] > '9' ? " mm" : "");
-	free(size);
 	if (!isfinite(range[1]))
 		return;
 	if (isfinite(range[0]))

@@ -176,8 +176,10 @@ blended_read_feeds(struct session *s, const char *text, struct error *error)
 }
 
 void
-blended_clear(struct blended *b)
+blended_free(struct blended *b)
 {
+	if (b == NULL)
+		return;
 	for (size_t i = 0; i < b->n; i++) {
 		free(b->part[i].file);
 		site_free(b->part[i].sheet);
@@ -188,21 +190,13 @@ blended_clear(struct blended *b)
 	free(b->words);
 	free(b->of);
 	free(b->rock);
+	free(b);
 }
 
 const char *
 blended_source_text(const struct blended *b)
 {
 	return b->n == 1 ? b->text : b->words;
-}
-
-void
-blended_free(struct blended *b)
-{
-	if (b == NULL)
-		return;
-	blended_clear(b);
-	free(b);
 }
 
 const struct blended *

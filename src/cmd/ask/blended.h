@@ -38,7 +38,6 @@ void blended_mix_feeds(struct blended *b);
 struct blended *blended_read_feeds(
     struct session *s, const char *text, struct error *error);
 void blended_free(struct blended *b);
-void blended_clear(struct blended *b);
 
 /* Returns where the feed is from, for programs.  The blend owns the text. */
 const char *blended_source_text(const struct blended *b);

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -214,10 +213,9 @@ rewrite_value_first_condition(const char *text)
 	bool percent = strchr(text, '%') != NULL, retained;
 	size_t word = quantities_word_before_size(of, &retained);
 	struct quantity q;
-	struct error none = {0};
 	bool named = word > 0 ? percent || *of != '<'
 			      : percent && quantities_parse_one(
-					       of, &PARTITION_IDEAL, &q, &none);
+					       of, &PARTITION_IDEAL, &q, NULL);
 	return n > 0 && named && strpbrk(of + word, "<>=") == NULL
 		   ? xasprintf("%s %c %.*s %%", of, sign, n, text)
 		   : NULL;
@@ -263,15 +261,14 @@ static char *
 split_quantity_and_limit(
     const char *text, const struct fraction *fraction, struct condition *c)
 {
-	struct error none = {0};
 	FREED char *name = xstrdup(text);
 	for (size_t n = strlen(text); n-- > 0;) {
 		if (text[n] != ' ')
 			continue;
 		name[n] = '\0';
 		if (quantities_parse_one(
-			name, &fraction->partition, &c->quantity, &none) &&
-		    parse_range_or_number(text + n, c, &none))
+			name, &fraction->partition, &c->quantity, NULL) &&
+		    parse_range_or_number(text + n, c, NULL))
 			return xstrdup(text_trim(name));
 	}
 	return NULL;
@@ -358,10 +355,9 @@ conditions_is_likely_complete(const char *text)
 {
 	bool most;
 	const char *of = conditions_parse_max_or_min(text, &most);
-	struct error none = {0};
 	struct quantity q;
 	if (of != NULL)
-		return quantities_parse_one(of, &PARTITION_IDEAL, &q, &none);
+		return quantities_parse_one(of, &PARTITION_IDEAL, &q, NULL);
 	const struct fraction whole = {.partition = PARTITION_IDEAL};
 	FREED char *with = replace_limit_words_by_sign(text);
 	const char *sign = strpbrk(with, "<>=");
@@ -380,9 +376,7 @@ conditions_parse_list(const char *text, const struct fraction *fraction,
 		struct condition c;
 		size_t length = text_length_of_list_item(at);
 		FREED char *copy = xstrndup(at, length);
-		bool ok =
-		    conditions_parse_one(text_trim(copy), fraction, &c, error);
-		if (!ok)
+		if (!conditions_parse_one(text_trim(copy), fraction, &c, error))
 			return false;
 		conditions_add(list, c);
 		at += length + (at[length] != '\0');
@@ -422,11 +416,10 @@ conditions_add_envelope(const struct spec *spec,
 		xappend_to_list(&unchecked, tr(" and "), "%s",
 		    tr("the fineness modulus, which needs finer sieves of the "
 		       "feed"));
-	free(list->source);
-	list->source =
+	xfree_and_set(&list->source,
 	    spec->source[0] != '\0'
 		? xasprintf(tr("limits of %s: %s"), spec->name, spec->source)
-		: xasprintf(tr("limits of %s"), spec->name);
+		: xasprintf(tr("limits of %s"), spec->name));
 	if (unchecked[0] != '\0')
 		xappend_to_list(
 		    &list->source, "; ", tr("not checked: %s"), unchecked);
@@ -468,14 +461,6 @@ conditions_check_feed_covers(
 }
 
 bool
-conditions_set_error_place(
-    const struct args *args, size_t i, struct error *error)
-{
-	error->column = args->column[i];
-	return false;
-}
-
-bool
 conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error)
 {
@@ -491,8 +476,10 @@ conditions_add_from_args(struct session *s, const struct args *args,
 			    "range such as 40..50; or, for the speed that "
 			    "gives this value: find \"%s\"",
 			    args->operand[i], args->operand[i]);
-		if (!ok)
-			return conditions_set_error_place(args, i, error);
+		if (!ok) {
+			error->column = args->column[i];
+			return false;
+		}
 		conditions_add(list, c);
 	}
 	return conditions_add_envelope_option(s, args, q, list, error);
@@ -759,16 +746,6 @@ conditions_note_feed_too_fine(struct answer *r,
 	return true;
 }
 
-/* As conditions_note_feed_too_fine, for the limit missed at the best speed. */
-static bool
-note_feed_too_fine_for_limit(struct answer *r,
-    const struct conditions_search *wanted, const struct speed_search *found)
-{
-	struct wanted_limit missed = found->margin.limit;
-	return conditions_note_feed_too_fine(
-	    r, wanted, &wanted->at[missed.i], missed.most);
-}
-
 /* Notes the limits that exclude slower and faster speeds than the best one.
  * Nothing is known beyond the ends of the search. */
 static void
@@ -776,8 +753,6 @@ note_conflicting_limits(struct answer *r,
     const struct conditions_search *wanted, const struct speed_search *found)
 {
 	const struct wanted_limit low = found->low, high = found->high;
-	if (note_feed_too_fine_for_limit(r, wanted, found))
-		return;
 	bool slowest = fabs(found->best - wanted->from) < 1e-3,
 	     fastest = fabs(found->best - wanted->to) < 1e-3;
 	FREED char *below = slowest || low.i == SIZE_MAX
@@ -858,16 +833,16 @@ conditions_note_why_unmet(struct answer *r,
 		    wanted->from, wanted->to, range);
 		return;
 	}
+	const struct wanted_limit missed = found->margin.limit;
+	const struct condition *c = &wanted->at[missed.i];
 	forecast_set_speed(wanted->forecast, found->best);
 	FREED char *misses = conditions_margin_text(wanted, found->margin);
 	if (found->alike) {
-		FREED char *words =
-		    conditions_limit_text(wanted->at, found->margin.limit);
+		FREED char *words = conditions_limit_text(wanted->at, missed);
 		answer_note(r,
 		    "no speed from %g to %g m/s%s meets %s: every speed misses "
 		    "%s equally, by %s",
 		    wanted->from, wanted->to, range, what, words, misses);
-		note_feed_too_fine_for_limit(r, wanted, found);
 	} else {
 		FREED char *rpm = rotor_speed_rpm_text(
 		    wanted->entry->site->rotor, found->best, NAN);
@@ -877,8 +852,10 @@ conditions_note_why_unmet(struct answer *r,
 		    wanted->from, wanted->to, range, what, found->best, rpm,
 		    misses);
 		note_nearest_measured_speed(r, wanted, found);
-		note_conflicting_limits(r, wanted, found);
 	}
+	bool fine = conditions_note_feed_too_fine(r, wanted, c, missed.most);
+	if (!fine && !found->alike)
+		note_conflicting_limits(r, wanted, found);
 }
 
 /* Returns the end of the range around the best speed that is farther beyond the

@@ -23,10 +23,6 @@ const char *conditions_parse_max_or_min(const char *text, bool *most);
  * without a sign between them, or max or min and a quantity. */
 bool conditions_is_likely_complete(const char *text);
 
-/* Sets the column of an error to that of operand i.  Returns false. */
-bool conditions_set_error_place(
-    const struct args *args, size_t i, struct error *error);
-
 /* Parses conditions separated by commas and appends them to the list. */
 bool conditions_parse_list(const char *text, const struct fraction *fraction,
     struct condition_list *list, struct error *error);

@@ -3,7 +3,6 @@
 #include "cmd/ask/condition_words.h"
 
 #include <ctype.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -147,9 +146,8 @@ is_last_quantity_complete(const char *text)
 {
 	const char *comma = strrchr(text, ',');
 	struct quantity q;
-	struct error none = {0};
 	return quantities_parse_one(
-	    comma != NULL ? comma + 1 : text, &PARTITION_IDEAL, &q, &none);
+	    comma != NULL ? comma + 1 : text, &PARTITION_IDEAL, &q, NULL);
 }
 
 /* True if one of the words has a limit, "< 5", "= 40..50" or "at least 5". */

@@ -4,10 +4,8 @@
 #include "cmd/ask/envelope.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/files.h"
@@ -93,24 +91,6 @@ envelope_named_or_chosen(
 /* The first words of limits on the modulus for one of several categories, of
  * which the buyer chooses one. */
 static const char CATEGORY[] = "FM category ";
-
-/* Reads the fraction and the screens from the options.  Without cut=, the
- * fraction is the envelope's own. */
-static bool
-parse_envelope_cut_option(const struct args *args, const struct spec *spec,
-    struct fraction *f, struct error *error)
-{
-	const char *cut = args->cut;
-	bool off = cut != NULL && text_is_same_folded(cut, "off");
-	*f = (struct fraction){.fine = spec->cut[0], .coarse = spec->cut[1]};
-	if (off)
-		*f = (struct fraction){0};
-	else if (cut != NULL && !quantities_parse_size_fraction(cut, f, error))
-		return false;
-	f->partition.sharpness = args->sharpness;
-	f->partition.cut_size = args->cut_size / 100;
-	return true;
-}
 
 static bool
 begins_with_text(const char *text, const char *start)
@@ -223,17 +203,23 @@ envelope_set_error_no_sieve(const struct spec *spec, struct error *error)
 	    spec->name);
 }
 
-/* g->spec and g->fraction are set already. */
-static bool
-open_forecast_of_envelope(const struct session *s, const struct question *q,
-    struct grading *g, struct error *error)
+bool
+envelope_open_grading(const struct session *s, const char *cut,
+    const struct spec *spec, const struct question *q, struct grading *g,
+    struct error *error)
 {
-	g->modulus = fineness_modulus_of_sand_standard(g->spec);
+	*g = (struct grading){.spec = spec,
+	    .fraction = q->fraction,
+	    .modulus = fineness_modulus_of_sand_standard(spec)};
+	if (cut == NULL) {
+		g->fraction.fine = spec->cut[0];
+		g->fraction.coarse = spec->cut[1];
+	}
 	envelope_limits_to_conditions(
-	    g->spec, &g->fraction, question_feed(q), &g->limits, &g->n_sieve);
+	    spec, &g->fraction, question_feed(q), &g->limits, &g->n_sieve);
 	if (g->n_sieve == 0) {
 		conditions_free(&g->limits);
-		return envelope_set_error_no_sieve(g->spec, error);
+		return envelope_set_error_no_sieve(spec, error);
 	}
 	const struct quantity more[] = {
 	    {.kind = QUANTITY_SHARE, .fraction = g->fraction},
@@ -246,25 +232,12 @@ open_forecast_of_envelope(const struct session *s, const struct question *q,
 }
 
 bool
-envelope_open_grading(const struct session *s, const struct args *args,
-    const struct spec *spec, const struct question *q, struct grading *g,
-    struct error *error)
-{
-	*g = (struct grading){.spec = spec};
-	return parse_envelope_cut_option(args, spec, &g->fraction, error) &&
-	       open_forecast_of_envelope(s, q, g, error);
-}
-
-bool
 envelope_open_chosen_forecast(const struct session *s,
     const struct entry *entry, size_t feed, struct grading *g,
     struct error *error)
 {
-	const struct spec *spec = s->spec;
-	*g = (struct grading){.spec = spec,
-	    .fraction = {spec->cut[0], spec->cut[1], PARTITION_IDEAL}};
 	struct question q = question_of_whole_product(s, entry, feed);
-	return open_forecast_of_envelope(s, &q, g, error);
+	return envelope_open_grading(s, NULL, s->spec, &q, g, error);
 }
 
 void

@@ -46,9 +46,9 @@ struct grading {
 	struct conditions_search conditions;
 };
 
-/* Opens the comparison with an envelope.  The options cut, sharpness and
- * cut_size of the call describe the screens; cut=off means no screens. */
-bool envelope_open_grading(const struct session *s, const struct args *args,
+/* Opens the comparison of the question's fraction with an envelope or, if cut,
+ * the option of the call, is NULL, that of the envelope's own fraction. */
+bool envelope_open_grading(const struct session *s, const char *cut,
     const struct spec *spec, const struct question *q, struct grading *grading,
     struct error *error);
 

@@ -3,8 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/forecast.h"
 
-#include <stdlib.h>
-
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/asked.h"

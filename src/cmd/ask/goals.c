@@ -71,8 +71,7 @@ add_limits_of_named_envelope(struct session *s, const char *name,
 		else if (is_single_value_condition(c))
 			c->least = NAN;
 	}
-	free(list->source);
-	list->source = NULL;
+	xfree_and_set(&list->source, NULL);
 	return ok;
 }
 
@@ -178,13 +177,11 @@ value_beyond_limit_text(const struct condition *c, double value, bool most)
 	const char *unit = quantities_unit(q);
 	double bound =
 	    quantities_value_in_shown_unit(q, most ? c->most : c->least);
-	char *name = quantities_name(q), number[32], edge[32];
+	FREED char *name = quantities_name(q);
+	char number[32], edge[32];
 	int digits = 3;
-	if (isnan(value)) {
-		char *beyond = xasprintf(tr("%s beyond the sieves"), name);
-		free(name);
-		return beyond;
-	}
+	if (isnan(value))
+		return xasprintf(tr("%s beyond the sieves"), name);
 	snprintf(edge, sizeof edge, "%g", bound);
 	do
 		snprintf(number, sizeof number, "%.*g", digits++,
@@ -194,7 +191,6 @@ value_beyond_limit_text(const struct condition *c, double value, bool most)
 	    "%s %s%s%s", name, number, unit[0] != '\0' ? " " : "", unit);
 	if (!is_single_value_condition(c))
 		xappend(&words, " (%s %s)", most ? tr("max") : tr("min"), edge);
-	free(name);
 	return words;
 }
 
@@ -423,10 +419,9 @@ goal_met_or_nearest_text(const struct session *s, const struct entry *entry,
 	     alone = told && !full && isfinite(g->found->sure[0]);
 	const char *beyond = goal_extrapolation_text(entry, g, best, alone);
 	char *words = goal_met_speeds_text(g, entry->site, full);
-	if (words[0] == '\0') {
-		free(words);
-		words = goal_met_nowhere_text(entry->site, g, best, length);
-	}
+	if (words[0] == '\0')
+		xfree_and_set(&words,
+		    goal_met_nowhere_text(entry->site, g, best, length));
 	if (g->missed != NULL && full)
 		xappend(&words, ": %s", g->missed);
 	if (alone)

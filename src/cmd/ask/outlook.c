@@ -5,7 +5,6 @@
 #include "cmd/ask/outlook.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"

@@ -105,21 +105,13 @@ parse_fineness_modulus(
 	    rest);
 }
 
-static bool
-expect_end_of_quantity(
-    const char *text, const char *rest, struct quantity *q, struct error *error)
-{
-	(void)q;
-	return rest[0] == '\0' || error_expected_quantity(text, error);
-}
-
 enum { OFFERS = 3 };
 static const struct {
 	/* How the kind is written: for people, as a key, as typed, and with
 	 * which unit; %s stands for quantity_text_without_kind.  word: how it
 	 * begins when typed, or NULL. */
 	const char *words, *key, *typed, *unit, *word;
-	/* Parses what follows the word; NULL if the kind cannot be typed. */
+	/* Parses what follows the word; NULL if nothing may. */
 	bool (*read)(const char *text, const char *rest, struct quantity *q,
 	    struct error *error);
 	/* What errors suggest to type, and what completion of a goal offers. */
@@ -134,10 +126,10 @@ static const struct {
 	parse_fraction_bounds, "0/2", {"0/2>="}},
     [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", "",
 	"fm", parse_fineness_modulus, "fm EN", {"fm EN="}},
-    [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", "", "cu",
-	expect_end_of_quantity, "cu", {"cu<"}},
+    [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", "", "cu", NULL,
+	"cu", {"cu<"}},
     [QUANTITY_CURVATURE] = {N_("Cc (D30^2/(D60 D10))"), "cc", "cc", "", "cc",
-	expect_end_of_quantity, "cc", {"cc<"}},
+	NULL, "cc", {"cc<"}},
     [QUANTITY_STEP] = {N_("between two sieves"), "step", "step", " %", NULL,
 	NULL, NULL, {NULL}},
 };
@@ -247,7 +239,8 @@ parse_quantity_by_kind(
 		q->letter = 'f';
 		return true;
 	}
-	return KINDS[q->kind].read(text, rest, q, error);
+	return KINDS[q->kind].read == NULL ||
+	       KINDS[q->kind].read(text, rest, q, error);
 }
 
 bool
@@ -275,7 +268,6 @@ bool
 quantities_is_beginning_of_text(const char *text)
 {
 	struct quantity q;
-	struct error error = {0};
 	size_t item = text_length_of_list_item(text);
 	size_t n = strcspn(text, " \t<>=");
 	n = n < item ? n : item;
@@ -290,7 +282,7 @@ quantities_is_beginning_of_text(const char *text)
 		if (n > 0 && text_is_same_but_case(BEFORE[i].word, word, n) &&
 		    BEFORE[i].word[n] == ' ')
 			return true;
-	return quantities_parse_one(word, &PARTITION_IDEAL, &q, &error);
+	return quantities_parse_one(word, &PARTITION_IDEAL, &q, NULL);
 }
 
 bool
@@ -355,7 +347,6 @@ quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
 	bool ok = true;
 	*n = 0;
 	for (const char *at = text; ok && *at != '\0';) {
-		struct error none = {0};
 		size_t length = text_length_of_list_item(at);
 		FREED char *word = xstrndup(at, length);
 		struct quantity *q = &list[*n];
@@ -363,7 +354,7 @@ quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
 		     check_comma_has_one_meaning(word, q, error) &&
 		     quantities_apply_cut_option(q, cut, error);
 		if (ok &&
-		    quantities_check_feed_covers(q, feed, all ? error : &none))
+		    quantities_check_feed_covers(q, feed, all ? error : NULL))
 			++*n;
 		else
 			ok = ok && !all;
@@ -546,22 +537,4 @@ int
 quantities_decimals(const struct quantity *q)
 {
 	return strcmp(quantities_unit(q), "%") == 0 ? 1 : 2;
-}
-
-bool
-quantities_parse_cut_option(const struct args *args, struct fraction *fraction,
-    bool alone, struct error *error)
-{
-	*fraction = (struct fraction){0};
-	if (args->cut != NULL &&
-	    !quantities_parse_size_fraction(args->cut, fraction, error))
-		return false;
-	if (args->cut == NULL && !alone &&
-	    (args->sharpness > 0 || args_is_given(args, &args->cut_size)))
-		return error_set(error, ERROR_USAGE,
-		    "sharpness= and cut_size= describe the screens of cut=, "
-		    "which is not given\nadd a fraction such as cut=0/4");
-	fraction->partition.sharpness = args->sharpness;
-	fraction->partition.cut_size = args->cut_size / 100;
-	return true;
 }

@@ -81,9 +81,4 @@ bool quantities_is_size(const struct quantity *q);
 double quantities_value_in_shown_unit(const struct quantity *q, double value);
 int quantities_decimals(const struct quantity *q);
 
-/* Reads the options of SHARED_CUT: a fraction, or the whole product if the call
- * names none.  alone: screens may be described without a fraction. */
-bool quantities_parse_cut_option(const struct args *args,
-    struct fraction *fraction, bool alone, struct error *error);
-
 #endif

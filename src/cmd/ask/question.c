@@ -47,8 +47,7 @@ copy_site_with_scenario(const struct site *own, const struct scenario *w)
 	struct site *site = f != NULL ? site_copy_with_feed(own, &f->feed,
 					    blended_source_text(f), f->of)
 				      : site_copy(own);
-	free(site->with);
-	site->with = scenario_text(w);
+	xfree_and_set(&site->with, scenario_text(w));
 	if (w->rotor > 0) {
 		site->run_rotor = own->rotor;
 		site->rotor = w->rotor;
@@ -220,7 +219,15 @@ parse_size_fraction_options(const struct session *s, const struct args *args,
 	if (command_option_index(args->command, "cut") == OPTIONS ||
 	    (args->cut != NULL && text_is_same_folded(args->cut, "off")))
 		return true;
-	return quantities_parse_cut_option(args, &q->fraction, envelope, error);
+	if (args->cut == NULL && !envelope &&
+	    (args->sharpness > 0 || args_is_given(args, &args->cut_size)))
+		return error_set(error, ERROR_USAGE,
+		    "sharpness= and cut_size= describe the screens of cut=, "
+		    "which is not given\nadd a fraction such as cut=0/4");
+	q->fraction.partition =
+	    (struct partition){args->sharpness, args->cut_size / 100};
+	return args->cut == NULL ||
+	       quantities_parse_size_fraction(args->cut, &q->fraction, error);
 }
 
 /* Applies the scenario, and reads the options that need no file: the speeds,

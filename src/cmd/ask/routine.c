@@ -344,7 +344,6 @@ drift_in_words(const struct routine *r)
 char *
 drift_alarm_in_words(const struct session *s, const struct entry *entry)
 {
-	struct error error = {0};
 	if (!entry->has_fit || entry->history == NULL)
 		return NULL;
 	struct alarm *a = &entry->history->alarm;
@@ -353,7 +352,7 @@ drift_alarm_in_words(const struct session *s, const struct entry *entry)
 		return NULL;
 	if (a->site != entry->site || a->posterior != p) {
 		struct routine *r =
-		    control_charts_compute(s, entry, &DRIFT_RULE, &error);
+		    control_charts_compute(s, entry, &DRIFT_RULE, NULL);
 		a->site = entry->site;
 		a->posterior = p;
 		a->state = r != NULL ? r->point[r->n - 1].state : DRIFT_NONE;

@@ -47,9 +47,9 @@ find_param_on_bound_that_matters(const struct session *s,
 	if (e == NULL)
 		return;
 	ensemble_set_speed(e, p->speed);
-	for (size_t j = 0; j < breakage_model_of_params(&fit->params)->n; j++) {
-		const char *name =
-		    breakage_model_of_params(&fit->params)->parameter[j].name;
+	const struct breakage *of = breakage_model_of_params(&fit->params);
+	for (size_t j = 0; j < of->n; j++) {
+		const char *name = of->parameter[j].name;
 		double moves =
 		    fit->on_bound[j]
 			? trust_answer_change_per_param_sd(

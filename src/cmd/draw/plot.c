@@ -135,10 +135,9 @@ static bool
 parse_speed_and_feed_of_plot(struct session *s, const struct args *args,
     struct plot_request *r, struct question *second, struct error *error)
 {
-	struct error none = {0};
 	size_t at = s->current, beside;
 	if (s->n_entry == 0 ||
-	    (r->site != NULL && !session_find_site(s, r->site, &at, &none)))
+	    (r->site != NULL && !session_find_site(s, r->site, &at, NULL)))
 		return true;
 	struct question *q = &r->asked;
 	if (!question_from_args(s, &s->entry[at], args, q, error) ||
@@ -153,9 +152,9 @@ parse_speed_and_feed_of_plot(struct session *s, const struct args *args,
 	else if (!one_speed && !q->speed_given)
 		q->speed = NAN;
 	if (r->beside == NULL ||
-	    !session_find_site(s, r->beside, &beside, &none))
+	    !session_find_site(s, r->beside, &beside, NULL))
 		return true;
-	question_repeat_for_site(s, &s->entry[beside], args, q, second, &none);
+	question_repeat_for_site(s, &s->entry[beside], args, q, second, NULL);
 	r->second = second->entry;
 	return true;
 }

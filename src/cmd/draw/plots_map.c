@@ -3,8 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
-#include <stdlib.h>
-
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"

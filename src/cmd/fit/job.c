@@ -217,8 +217,7 @@ set_site_fit_from_job(struct session *s)
 	copy_search_history_to_site(entry, &s->job);
 	session_remove_answers(s);
 	entry->has_fit = entry->has_params = true;
-	free(entry->remembered);
-	entry->remembered = NULL;
+	xfree_and_set(&entry->remembered, NULL);
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
 	origin_release(entry->origin);
@@ -607,12 +606,11 @@ misfit_of_present_params(const struct session *s)
 	const struct entry *entry = &s->entry[s->job.entry];
 	struct calibrate_options options = s->job.options;
 	size_t breakage = entry->params.breakage;
-	struct error error;
 	options.train = s->job.train;
 	options.run_weight = s->job.run_weight;
 	options.settings.breakage = (unsigned)breakage;
-	if (!entry->has_params || !fit_check_settings_allow_model(
-				      &options.settings, breakage, &error))
+	if (!entry->has_params ||
+	    !fit_check_settings_allow_model(&options.settings, breakage, NULL))
 		return INFINITY;
 	struct misfit *m = calibrate_make_misfit(entry->site, &options);
 	double misfit = misfit_of_params(m, &entry->params);

@@ -3,7 +3,6 @@
 #include "cmd/fit/params.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"

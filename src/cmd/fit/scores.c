@@ -5,7 +5,6 @@
 #include "cmd/fit/scores.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"

@@ -102,13 +102,12 @@ static bool
 can_validate_site(
     const struct session *s, const struct validating *c, size_t index)
 {
-	struct error none = {0};
 	const struct entry *entry = &s->entry[index];
 	if (!part_has_site(&c->part, index))
 		return false;
 	return c->runs.each ? has_speeds_to_hold_out(entry)
 			    : entry->has_fit && has_held_out_run(entry) &&
-				  answers_require_params(s, entry, &none);
+				  answers_require_params(s, entry, NULL);
 }
 
 /* Prepares the next site to compare or, with holdout=each, the next speed to

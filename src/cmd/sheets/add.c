@@ -49,8 +49,7 @@ free_cut_sources(struct origins *o)
 }
 
 /* How ambiguous dates, such as 5/11/2026, are read.  order: of day and month;
- * why: what shows that order, in words, or NULL; now: only today's date shows
- * it. */
+ * why: what shows that order, in words; now: only today's date shows it. */
 struct date_reading {
 	enum datetime_order order;
 	const char *why;
@@ -112,22 +111,20 @@ static struct date_reading
 find_day_month_order_of_cuts(
     const struct args *args, const struct site *cuts, const struct site *site)
 {
-	if (args_is_given(args, &args->dates))
-		return (struct date_reading){day_month_order_given(args, site),
-		    tr("as dates= says"), false};
-	enum datetime_order order = cut_day_month_order(cuts);
-	if (order != DATETIME_OPEN)
-		return (struct date_reading){
-		    order, tr("as its other dates show"), false};
-	order = cut_day_month_order(site);
-	if (order != DATETIME_OPEN)
-		return (struct date_reading){
-		    order, tr("as the dates of earlier cuts show"), false};
-	order = date_order_without_future(cuts);
-	return (struct date_reading){order,
-	    order != DATETIME_OPEN ? tr("as the other reading is in the future")
-				   : NULL,
-	    order != DATETIME_OPEN};
+	struct date_reading how = {day_month_order_given(args, cuts),
+	    args_is_given(args, &args->dates) ? tr("as dates= says")
+					      : tr("as its other dates show"),
+	    false};
+	if (how.order == DATETIME_OPEN) {
+		how.order = cut_day_month_order(site);
+		how.why = tr("as the dates of earlier cuts show");
+	}
+	if (how.order == DATETIME_OPEN) {
+		how.order = date_order_without_future(cuts);
+		how.why = tr("as the other reading is in the future");
+		how.now = how.order != DATETIME_OPEN;
+	}
+	return how;
 }
 
 /* Returns the moment as one word of the command: "2026-11-05T10:15". */
@@ -380,12 +377,7 @@ warn_of_duplicate_cuts(
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, cut->speed, NAN);
 		for (size_t r = 0; r < site->n_run; r++) {
-			const struct psd *p = &site->run[r].product;
-			bool same = site->run[r].speed == cut->speed &&
-				    p->n == cut->product.n &&
-				    memcmp(p->passing, cut->product.passing,
-					p->n * sizeof *p->passing) == 0;
-			if (same)
+			if (cut_is_duplicate(&site->run[r], cut))
 				session_print_note(s,
 				    "  warning: these numbers are identical to "
 				    "the product at %g m/s%s%s: was the cut "

@@ -20,6 +20,13 @@ static const double LEAST_ROTOR_MM = 100, MOST_ROTOR_MM = 5000;
 
 enum { CELLS = 4 };
 
+/* The words of an answer that say which column it is, and what its numbers
+ * are. */
+static const uint64_t ROLES = WORD_FEED | WORD_PRODUCT | WORD_SD,
+		      MEASURES = WORD_PASSES | WORD_STAYS | WORD_SUMS |
+				 WORD_SHARE | WORD_PERCENT | WORD_GRAMS |
+				 WORD_MASS;
+
 /* Sets cell to the texts of a row, which are valid as long as the question and
  * `number`, a buffer of at least 24 bytes. */
 static void
@@ -178,9 +185,7 @@ static char *
 parse_column_role_answer(const struct site_ask_column *c, const char *said,
     const struct head *head, uint64_t means)
 {
-	uint64_t quantity = WORD_PASSES | WORD_STAYS | WORD_SUMS | WORD_SHARE |
-			    WORD_PERCENT | WORD_GRAMS | WORD_MASS;
-	bool role = (means & (WORD_FEED | WORD_PRODUCT | WORD_SD)) != 0;
+	bool role = (means & ROLES) != 0;
 	bool bare = head->speed == 0 && head->rpm == 0 && head->n_number > 0;
 	char number[32];
 	if (!role && said[0] >= '0' && said[0] <= '9')
@@ -191,7 +196,7 @@ parse_column_role_answer(const struct site_ask_column *c, const char *said,
 		xappend(&text, " %s", said);
 		return text;
 	}
-	if ((means & quantity) != 0)
+	if ((means & MEASURES) != 0)
 		return xstrdup(said);
 	if (bare && (means & WORD_PRODUCT) != 0) {
 		FREED char *product = xasprintf("product@%s",
@@ -232,9 +237,6 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 			*p = ' ';
 	struct head head = heading_parse(said);
 	uint64_t means = head.means | lexicon_text_meanings(said, NULL);
-	uint64_t known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
-			 WORD_STAYS | WORD_SUMS | WORD_SHARE | WORD_PERCENT |
-			 WORD_GRAMS | WORD_MASS;
 	bool speed = heading_has_speed(&head) || head.n_number > 0;
 	wrong[0] = '\0';
 	if (said[0] == '\0' && does_column_guess_lack_speed(c))
@@ -248,7 +250,7 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG_SIZE,
 		    tr("expected words for what it is, got '%.40s'"), said);
-	else if ((means & known) != 0)
+	else if ((means & (ROLES | MEASURES)) != 0)
 		text = parse_column_role_answer(c, said, &head, means);
 	else if (speed && head.unknown == 0)
 		text = parse_speed_answer(c, &head, wrong);
@@ -293,8 +295,8 @@ ask_about_column(
 		words = parse_column_answer(c, rest ? "-" : answer, wrong);
 		q->first = false;
 	} while (words == NULL && wrong[0] != '\0');
-	free(c->guess);
-	c->guess = words != NULL ? words : xstrdup(rest ? "." : "-");
+	xfree_and_set(
+	    &c->guess, words != NULL ? words : xstrdup(rest ? "." : "-"));
 	c->open = false;
 	return true;
 }
@@ -447,9 +449,8 @@ parse_tables_answer(const struct site_ask *ask, const char *said,
 		    ask->n, said);
 		return false;
 	}
-	free(into->range);
-	into->range =
-	    cell_range_text(cell_range_around_tables(ask, from - 1, to - 1));
+	xfree_and_set(&into->range,
+	    cell_range_text(cell_range_around_tables(ask, from - 1, to - 1)));
 	return true;
 }
 

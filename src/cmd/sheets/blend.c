@@ -1,7 +1,6 @@
 /* blend: mixes feeds by mass, and predicts the site's product from the mixture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
@@ -162,12 +161,10 @@ static void
 show_blend(struct session *s, const struct args *args, const struct blended *b)
 {
 	struct error none = {0};
-	if (s->n_entry == 0) {
-		show_blended_feed(s, b, tr("no site is loaded"));
-		return;
-	}
-	if (!answers_require_params_current_site(s, &none)) {
-		show_blended_feed(s, b, none.text);
+	bool loaded = s->n_entry > 0;
+	if (!loaded || !answers_require_params_current_site(s, &none)) {
+		show_blended_feed(
+		    s, b, loaded ? none.text : tr("no site is loaded"));
 		return;
 	}
 	const struct scenario scenario = {
@@ -203,17 +200,17 @@ write_blend_as_sheet(struct session *s, const struct args *args,
 bool
 cmd_blend(struct session *s, const struct args *args, struct error *error)
 {
-	struct blended b = {0};
+	struct blended *b = xcalloc(1, sizeof *b);
 	bool good = true;
 	for (size_t i = 0; good && i < args->n_operand; i++)
-		good = read_blend_component(s, args->operand[i], &b, error);
+		good = read_blend_component(s, args->operand[i], b, error);
 	if (good) {
-		blended_mix_feeds(&b);
+		blended_mix_feeds(b);
 		good = args->out == NULL ||
-		       write_blend_as_sheet(s, args, &b, error);
+		       write_blend_as_sheet(s, args, b, error);
 		if (good)
-			show_blend(s, args, &b);
+			show_blend(s, args, b);
 	}
-	blended_clear(&b);
+	blended_free(b);
 	return good;
 }

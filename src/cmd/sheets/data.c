@@ -143,16 +143,15 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 			    "write: speeds=69,74,79",
 			    speed[i], speed[i - 1]);
 	struct error_list errors = {.stop = s->hooks.stop};
-	bool built_in = strcmp(args->operand[0], "table3") == 0;
-	if (!built_in)
-		files_record_read(s, args->operand[0]);
 	struct material_list rows = {0};
 	bool read = true;
-	if (built_in)
+	if (strcmp(args->operand[0], "table3") == 0) {
 		material_add_table3_to_list(&rows);
-	else
+	} else {
+		files_record_read(s, args->operand[0]);
 		read =
 		    material_read_table3_file(args->operand[0], &rows, &errors);
+	}
 	size_t made = 0;
 	for (size_t i = 0; i < rows.n && read; i++) {
 		const struct material *row = &rows.item[i];

@@ -50,8 +50,7 @@ split_file_and_speed(
 	if (at == NULL)
 		return true;
 	struct head head = heading_parse(at);
-	char **copy = path;
-	(*copy)[at - word] = '\0';
+	(*path)[at - word] = '\0';
 	*speed = head.rpm > 0 ? -head.rpm : head.speed;
 	if (*speed != 0 && *speed <= SITE_FASTEST && !head.several)
 		return true;
@@ -359,13 +358,12 @@ static bool
 load_requested_files(
     struct session *s, struct load *l, bool skip, struct error *error)
 {
-	if (l->request.n == 1 && !skip)
-		return load_files_as_one_site(s, l, error);
-	if (l->request.n > 1 && are_files_parts_of_site(s, l))
+	size_t n = l->request.n;
+	if (n == 1 ? !skip : n > 1 && are_files_parts_of_site(s, l))
 		return load_files_as_one_site(s, l, error);
 	if (l->digest != NULL)
 		return error_set(error, ERROR_USAGE,
-		    "expected one file with digest=, got %zu", l->request.n);
+		    "expected one file with digest=, got %zu", n);
 	return load_each_file_as_site(s, l, skip, error);
 }
 

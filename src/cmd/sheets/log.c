@@ -49,12 +49,14 @@ plant_log_value_ranges_text(const struct plant_log *log)
 	return text;
 }
 
-/* True if the longest gap is worth reporting: longer than ten rows and longer
- * than five minutes. */
-static bool
-has_long_gap_in_plant_log(const struct plant_log *log)
+/* Returns the longest gap, or NULL unless it is worth reporting: longer than
+ * ten rows and longer than five minutes. */
+static char *
+long_gap_text(const struct plant_log *log)
 {
-	return log->gap > 10 * log->apart && log->gap > 300;
+	return log->gap > 10 * log->apart && log->gap > 300
+		   ? time_range_text(log->gap_from, log->gap_from + log->gap)
+		   : NULL;
 }
 
 static void
@@ -73,11 +75,9 @@ note_plant_log_contents(struct session *s, const struct plant_log *log)
 	if (log->passed > 0)
 		session_print_note(
 		    s, "  not read: %zu rows without a time", log->passed);
-	if (has_long_gap_in_plant_log(log)) {
-		FREED char *gap =
-		    time_range_text(log->gap_from, log->gap_from + log->gap);
+	FREED char *gap = long_gap_text(log);
+	if (gap != NULL)
 		session_print_note(s, "  the longest gap: %s", gap);
-	}
 }
 
 static void
@@ -287,10 +287,8 @@ show_plant_log(struct session *s, const struct args *args, struct error *error)
 		    r, LOG_UNITS[k], "%s, median %.4g", range, all.median[k]);
 	}
 	answer_add_name_value_row(r, "read", "%s", log->read_as);
-	if (has_long_gap_in_plant_log(log)) {
-		FREED char *gap =
-		    time_range_text(log->gap_from, log->gap_from + log->gap);
+	FREED char *gap = long_gap_text(log);
+	if (gap != NULL)
 		answer_add_name_value_row(r, "longest gap", "%s", gap);
-	}
 	return session_show_answer(s, r);
 }

@@ -272,10 +272,8 @@ find_material_by_name(struct store *store, const char *name,
 static void
 replace_text_by_trimmed_value(char **text, char *value)
 {
-	char *trimmed = xstrdup(text_trim(value));
+	xfree_and_set(text, xstrdup(text_trim(value)));
 	free(value);
-	free(*text);
-	*text = trimmed;
 }
 
 static void

@@ -114,13 +114,12 @@ cmd_template(struct session *s, const struct args *args, struct error *error)
 		    "write: template > FILE.csv, or template > FILE.xlsx",
 		    ANSWER_FORMATS[format].name);
 	struct form f = {s->set.semicolon ? ';' : ',', s->out};
-	if (s->book == NULL) {
-		s->rows += write_sieve_template(&f, args);
-		return true;
-	}
 	/* In workbooks numbers have no decimal sign. */
-	f = (struct form){',', text_open_memory(&text, &n)};
+	if (s->book != NULL)
+		f = (struct form){',', text_open_memory(&text, &n)};
 	s->rows += write_sieve_template(&f, args);
+	if (s->book == NULL)
+		return true;
 	fclose(f.sheet);
 	book_add_text_worksheet(s->book, "template", text);
 	return true;

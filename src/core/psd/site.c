@@ -70,8 +70,7 @@ copy_run(const struct run *from)
 static void
 replace_string_by_copy(char **text, const char *by)
 {
-	free(*text);
-	*text = xstrdup(by);
+	xfree_and_set(text, xstrdup(by));
 }
 
 struct site *
@@ -206,8 +205,7 @@ site_copy_with_feed(const struct site *site, const struct psd *feed,
     const char *from, const char *of)
 {
 	struct site *to = site_copy(site);
-	free(to->provenance);
-	to->provenance = provenance_of_site_and_feed(site, of);
+	xfree_and_set(&to->provenance, provenance_of_site_and_feed(site, of));
 	replace_string_by_copy(&to->feed_from, from);
 	to->run = xrealloc(to->run, to->n_run + 1, sizeof *to->run);
 	to->run[to->n_run++] =

@@ -24,9 +24,8 @@ static struct trials
 validate_heldout_runs_of_site(const struct session *s, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
-	struct error error = {0};
 	struct trials found = {.n = 0};
-	if (entry->has_params && answers_require_params(s, entry, &error))
+	if (entry->has_params && answers_require_params(s, entry, NULL))
 		trials_add_held_out_runs_of_site(&found, s, index,
 		    posterior_of_calibration(s, entry, CORRECTION_TRAIN));
 	return found;

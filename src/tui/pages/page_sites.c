@@ -64,11 +64,10 @@ compute_site_row_p50(struct site_row *row, const struct tui *t)
 	const struct session *s = t->session;
 	const struct entry *e = &s->entry[row->entry];
 	double speed = tui_slider_speed(t);
-	struct error error = {0};
 	row->speed = speed;
 	row->p50 = NAN;
 	row->beyond = false;
-	if (!answers_require_params(s, e, &error))
+	if (!answers_require_params(s, e, NULL))
 		return;
 	bool here = e == tui_current_site_entry(t);
 	struct prediction p = forecast_whole_product(s,

@@ -46,7 +46,6 @@ is_envelope_check_up_to_date(const struct tui *t)
 void
 envelope_check_update(struct tui *t)
 {
-	struct error error = {0};
 	if (!envelope_check_is_wanted(t) || !is_envelope_check_up_to_date(t))
 		envelope_check_free(t);
 	if (!envelope_check_is_wanted(t))
@@ -58,7 +57,7 @@ envelope_check_update(struct tui *t)
 		l->feed = tui_run_index_of_feed(t);
 		l->open = envelope_open_chosen_forecast(t->session,
 		    tui_site_entry_for_prediction(t), l->feed, &l->grading,
-		    &error);
+		    NULL);
 	}
 	if (l->open && l->speed != tui_slider_speed(t))
 		forecast_set_speed(

@@ -204,8 +204,7 @@ complete_last_condition(struct edit *y)
 		edit_begin(y, text);
 		free(offers);
 	} else {
-		free(y->offers);
-		y->offers = offers[0] != '\0' ? offers : NULL;
+		xfree_and_set(&y->offers, offers[0] != '\0' ? offers : NULL);
 		if (y->offers == NULL)
 			free(offers);
 	}

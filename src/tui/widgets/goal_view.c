@@ -4,7 +4,6 @@
 #include "tui/widgets/goal_view.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"

@@ -51,7 +51,6 @@ act_next_quantity(struct tui *t, const struct key *key)
 	    make_response_strip_quantity(QUANTITY_SHARE, 0, 2e-3),
 	    make_response_strip_quantity(QUANTITY_SHARE, 0, 4e-3)};
 	const int n = ARRAY_LEN(all);
-	struct error error = {0};
 	int by = key->amount, at = by > 0 ? n - 1 : 0;
 	if (tui_current_site_entry(t) == NULL)
 		return;
@@ -62,7 +61,7 @@ act_next_quantity(struct tui *t, const struct key *key)
 		at = (at + by + n) % n;
 	while (
 	    !quantity_is_same(&all[at], &t->ui.quantity) && at != 0 &&
-	    !quantities_check_feed_covers(&all[at], tui_feed_curve(t), &error));
+	    !quantities_check_feed_covers(&all[at], tui_feed_curve(t), NULL));
 	t->ui.quantity = all[at];
 	t->ui.quantity_of_goal = false;
 }

@@ -72,8 +72,7 @@ viewer_close(struct tui *t)
 	struct viewer *v = &t->viewer;
 	viewer_free_lines(v);
 	if (v->text != NULL && !v->keys) {
-		free(t->closed);
-		t->closed = v->text;
+		xfree_and_set(&t->closed, v->text);
 	} else {
 		free(v->text);
 	}
