@@ -34,11 +34,9 @@ struct book {
 
 /* Opens a temporary file without a name.  Returns -1 on failure. */
 static int
-open_temporary_file(void)
+open_temporary_file(const char *folder)
 {
-	const char *folder = getenv("TMPDIR");
-	FREED char *path = xasprintf("%s/tipspeed-XXXXXX",
-	    folder != NULL && folder[0] != '\0' ? folder : "/tmp");
+	FREED char *path = xasprintf("%s/tipspeed-XXXXXX", folder);
 	int fd = mkstemp(path);
 	if (fd >= 0)
 		unlink(path);
@@ -84,7 +82,10 @@ add_all_cell_formats(struct book *b)
 struct book *
 book_new(struct error *error)
 {
-	int fd = open_temporary_file();
+	const char *set = getenv("TMPDIR");
+	FREED char *folder =
+	    xstrdup(set != NULL && set[0] != '\0' ? set : "/tmp");
+	int fd = open_temporary_file(folder);
 	if (fd < 0) {
 		error_set(error, ERROR_SYSTEM,
 		    "cannot make a temporary file: %s\n"
@@ -93,11 +94,8 @@ book_new(struct error *error)
 		return NULL;
 	}
 	struct book *b = xcalloc(1, sizeof *b);
-	const char *folder = getenv("TMPDIR");
 	FREED char *path = xasprintf("/dev/fd/%d", fd);
-	FREED char *parts = xstrdup(folder != NULL ? folder : "");
-	lxw_workbook_options options = {
-	    .tmpdir = parts[0] != '\0' ? parts : NULL};
+	lxw_workbook_options options = {.tmpdir = folder};
 	/* 2000-01-01 instead of now, so that the same results give the same
 	 * bytes. */
 	lxw_doc_properties properties = {.created = 946684800};
