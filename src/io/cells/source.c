@@ -224,7 +224,8 @@ source_read_within_limits(const char *path, struct sheet_limits most,
 {
 	size_t n;
 	*source = (struct source){.note = xstrdup("")};
-	FREED char *bytes = textfile_read_bytes(path, &n, errors);
+	FREED char *bytes =
+	    textfile_read_bytes(path, TEXTFILE_SHEET, &n, errors);
 	if (bytes == NULL)
 		return false;
 	return find_reader_of_kind(bytes, n) != NULL

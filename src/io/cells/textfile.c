@@ -183,9 +183,9 @@ textfile_open(const char *path, const char **why)
 	return file;
 }
 
-static char *
-read_file_bytes(
-    const char *path, size_t most, size_t *n, struct error_list *errors)
+char *
+textfile_read_bytes(const char *path, enum textfile_bytes most, size_t *n,
+    struct error_list *errors)
 {
 	const char *why;
 	FILE *file = textfile_open(path, &why);
@@ -206,18 +206,12 @@ read_file_bytes(
 }
 
 char *
-textfile_read_bytes(const char *path, size_t *n, struct error_list *errors)
-{
-	return read_file_bytes(path, TEXTFILE_SHEET, n, errors);
-}
-
-char *
 textfile_read(
     const char *path, enum textfile_bytes most, struct error_list *errors)
 {
 	size_t n;
 	const char *note;
-	FREED char *bytes = read_file_bytes(path, most, &n, errors);
+	FREED char *bytes = textfile_read_bytes(path, most, &n, errors);
 	return bytes != NULL ? textfile_decode(path, bytes, n, &note, errors)
 			     : NULL;
 }
