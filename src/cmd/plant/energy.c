@@ -356,10 +356,8 @@ load_energy_file(
 	if (energies_load_file(s, args->operand[1], &way, cut, error) == NULL)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
-	if (args->note != NULL) {
-		free(e->c.about);
-		e->c.about = xstrdup(args->note);
-	}
+	if (args->note != NULL)
+		xfree_and_set(&e->c.about, xstrdup(args->note));
 	s->energy = e;
 	session_print_note(s,
 	    e->c.weighted && e->c.spectrum->speed > 0

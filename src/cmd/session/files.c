@@ -108,9 +108,7 @@ void
 files_set_session_script_path(struct session *s, const char *path, bool saved)
 {
 	struct files *f = session_files_or_new(s);
-	char *holder = xstrdup(path);
-	free(f->holder);
-	f->holder = holder;
+	xfree_and_set(&f->holder, xstrdup(path));
 	f->saved = saved;
 	if (saved)
 		files_record_written(s, path);

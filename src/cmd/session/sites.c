@@ -68,21 +68,15 @@ make_unique_site_key(struct session *s, const struct site *site)
 		    (other->key[n] != '\0' && other->key[n] != '/'))
 			continue;
 		shared = true;
-		if (strcmp(other->key, slug) == 0 &&
-		    other->site->top_size > 0) {
-			free(other->key);
-			other->key = site_key_with_top_size(slug, other->site);
-		}
+		if (strcmp(other->key, slug) == 0 && other->site->top_size > 0)
+			xfree_and_set(&other->key,
+			    site_key_with_top_size(slug, other->site));
 	}
-	if (shared && site->top_size > 0) {
-		free(key);
-		key = site_key_with_top_size(slug, site);
-	}
+	if (shared && site->top_size > 0)
+		xfree_and_set(&key, site_key_with_top_size(slug, site));
 	FREED char *stem = xstrdup(key);
-	for (int i = 2; is_site_key_taken(s, name, key); i++) {
-		free(key);
-		key = xasprintf("%s/%d", stem, i);
-	}
+	for (int i = 2; is_site_key_taken(s, name, key); i++)
+		xfree_and_set(&key, xasprintf("%s/%d", stem, i));
 	free(slug);
 	return key;
 }
@@ -287,8 +281,7 @@ static int
 site_name_match_grade(const struct entry *entry, const char *wanted)
 {
 	FREED char *name = name_slug(entry->site->name);
-	FREED char *sized =
-	    xasprintf("%s/%g", name, units_m_to_mm(entry->site->top_size));
+	FREED char *sized = site_key_with_top_size(name, entry->site);
 	FREED char *folded = text_fold_case_and_accents(wanted),
 		   *slug = slug_of_typed_name(wanted);
 	FREED char *loose = slug_of_typed_name(entry->site->name);
