@@ -91,29 +91,15 @@ name_of_size_fraction(double fine, double coarse)
 	return quantities_fraction_text(&f);
 }
 
-/* True if a list contains a name; adds 1 to *taken then. */
-static bool
-find_and_count_name_in_list(const char *list, const char *name, size_t *taken)
-{
-	char *part;
-	bool found = false;
-	for (const char *at = list;
-	     (part = next_comma_list_item(&at)) != NULL;) {
-		found = found || strcmp(part, name) == 0;
-		free(part);
-	}
-	*taken += found;
-	return found;
-}
-
+/* Returns how many parts of a list are `name`, or all if that is NULL. */
 static size_t
-count_list_parts(const char *list)
+count_list_parts(const char *list, const char *name)
 {
 	size_t n = 0;
 	char *part;
 	for (const char *at = list; (part = next_comma_list_item(&at)) != NULL;
-	     n++)
-		free(part);
+	     free(part))
+		n += name == NULL || strcmp(part, name) == 0;
 	return n;
 }
 
@@ -179,14 +165,15 @@ build_circuit(const struct args *args, const struct fraction_list *cuts,
 		size_t over = pan ? now
 				  : add_screen_of_deck(c, args, cuts->edge[i],
 					name, i + 1 == cuts->n_edge, &now);
-		if (find_and_count_name_in_list(p->back, name, &taken) &&
-		    crusher->n_in < UNIT_STREAMS)
+		bool back = count_list_parts(p->back, name) > 0;
+		taken += back;
+		if (back && crusher->n_in < UNIT_STREAMS)
 			crusher->in[crusher->n_in++] = over;
 		else
 			add_circuit_unit_with_inlet(
 			    c, UNIT_STOCKPILE, name, over);
 	}
-	if (taken == count_list_parts(p->back) && taken < UNIT_STREAMS)
+	if (taken == count_list_parts(p->back, NULL) && taken < UNIT_STREAMS)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected fractions of the list in recycle=, got '%s'\n"
