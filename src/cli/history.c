@@ -28,8 +28,7 @@ static void
 stop_saving_history(const char *why)
 {
 	fprintf(stderr, tr("the history cannot be saved: %s\n"), why);
-	free(path);
-	path = NULL;
+	xfree_and_set(&path, NULL);
 }
 
 static void
@@ -76,8 +75,7 @@ typed_history_add(const char *line)
 void
 typed_history_close(void)
 {
-	free(path);
-	path = NULL;
+	xfree_and_set(&path, NULL);
 	opened = false;
 }
 
@@ -112,8 +110,7 @@ static void
 history_search_begin(void)
 {
 	free(search.wanted);
-	free(search.typed);
-	search.typed = xstrdup(rl_line_buffer);
+	xfree_and_set(&search.typed, xstrdup(rl_line_buffer));
 	search.wanted = xstrndup(rl_line_buffer, (size_t)rl_point);
 	search.place = where_history();
 }

@@ -100,10 +100,8 @@ on_readline_complete(const char *text, int start, int end)
 	if (n > 0)
 		matches[0] =
 		    xstrndup(matches[1], shared_prefix_bytes(matches + 1, n));
-	if (n == 1) {
-		free(matches[1]);
-		matches[1] = NULL;
-	}
+	if (n == 1)
+		xfree_and_set(&matches[1], NULL);
 	completion_free(c);
 	if (n > 0)
 		return matches;
@@ -303,8 +301,7 @@ run_entered_lines(struct session *s, char *typed, int *number)
 		bool more = script_line_continues(line);
 		script_remove_line_end(line);
 		FREED char *joined = xasprintf("%s%s", prompt.before, line);
-		free(prompt.before);
-		prompt.before = xstrdup(more ? joined : "");
+		xfree_and_set(&prompt.before, xstrdup(more ? joined : ""));
 		if (!more && run_line_with_pager(s, joined, (*number)++) != 0 &&
 		    prompt.offer.line != NULL)
 			prompt.stage = -1;

@@ -33,8 +33,7 @@ run_screen_command(struct tui *t, const char *line)
 	captured_discard_output(t);
 	bool ok = session_run_line(
 	    t->session, line, 0, ERROR_TYPED, 0, &next, &error);
-	free(t->command);
-	t->command = xstrdup(line);
+	xfree_and_set(&t->command, xstrdup(line));
 	t->failed = !ok;
 	t->message[0] = '\0';
 	if (ok)

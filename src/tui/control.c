@@ -90,10 +90,9 @@ record_and_show_script_line(void *of, const char *line)
 	if (!t->of_script)
 		t->ran_from = session_clock_seconds();
 	t->of_script = true;
-	free(t->running_line);
-	t->running_line =
+	xfree_and_set(&t->running_line,
 	    at.of > 0 ? xasprintf(tr("%zu of %zu: %s"), at.at, at.of, line)
-		      : xstrdup(line);
+		      : xstrdup(line));
 	draw_progress_if_due(t, true);
 }
 
@@ -134,8 +133,7 @@ report_how_command_ended(struct tui *t, bool restores, bool ok)
 		    words);
 	}
 	t->keep_message = t->keep_message || drawn;
-	free(t->running_line);
-	t->running_line = NULL;
+	xfree_and_set(&t->running_line, NULL);
 }
 
 /* Runs a job to its end and draws its progress.  On the screen signals are
@@ -321,8 +319,7 @@ run_line_capturing_output(struct tui *t, const char *line)
 bool
 control_run_command_captured(struct tui *t, const char *line)
 {
-	free(t->command);
-	t->command = xstrdup(line);
+	xfree_and_set(&t->command, xstrdup(line));
 	t->message[0] = '\0';
 	t->failed = false;
 	bool ok = run_line_capturing_output(t, line);

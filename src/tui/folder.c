@@ -170,8 +170,7 @@ add_synthetic_sites(struct folder *folder)
 		}
 	}
 	material_list_free(&paper);
-	free(folder->path);
-	folder->path = xstrdup(tr("from Table 3"));
+	xfree_and_set(&folder->path, xstrdup(tr("from Table 3")));
 	folder->why = NULL;
 }
 

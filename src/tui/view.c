@@ -161,8 +161,7 @@ view_predict_at_slider(struct tui *t)
 		&t->view.shown, &error))
 		captured_show_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !keep) || t->command == NULL) {
-		free(t->command);
-		t->command = xstrdup(line);
+		xfree_and_set(&t->command, xstrdup(line));
 		t->failed = false;
 	}
 	if (!first && !keep)

@@ -76,8 +76,7 @@ document_add_part(struct document *d, struct document_part part)
 void
 document_set_title(struct document *d, const char *title)
 {
-	free(d->title);
-	d->title = xstrdup(title);
+	xfree_and_set(&d->title, xstrdup(title));
 }
 
 void

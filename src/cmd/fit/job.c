@@ -217,8 +217,7 @@ set_site_fit_from_job(struct session *s)
 	copy_search_history_to_site(entry, &s->job);
 	session_remove_answers(s);
 	entry->has_fit = entry->has_params = true;
-	free(entry->remembered);
-	entry->remembered = NULL;
+	xfree_and_set(&entry->remembered, NULL);
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
 	origin_release(entry->origin);

@@ -453,8 +453,7 @@ read_whole_file(int fd, size_t *n)
 		if (got > 0) {
 			*n += (size_t)got;
 		} else if (got == 0 || errno != EINTR) {
-			free(bytes);
-			bytes = NULL;
+			xfree_and_set(&bytes, NULL);
 		}
 	}
 	return bytes;

@@ -57,8 +57,7 @@ edit_begin_with_proposal(struct edit *t, const char *text, const char *name)
 void
 edit_stop_editing(struct edit *t)
 {
-	free(t->offers);
-	t->offers = NULL;
+	xfree_and_set(&t->offers, NULL);
 	t->active = false;
 }
 
@@ -220,8 +219,7 @@ edit_handle_key(struct edit *t, const struct session *s, int code, bool special)
 {
 	int key = special ? code : key_of_control_code(code);
 	size_t next = edit_first_unshown_completion(t), n = t->n;
-	free(t->offers);
-	t->offers = NULL;
+	xfree_and_set(&t->offers, NULL);
 	if (!special && (code == ESCAPE || code == INTERRUPT))
 		return EDIT_GIVEN_UP;
 	if (key == KEY_BACKSPACE && t->n == 0)
@@ -260,8 +258,7 @@ edit_insert_completion(struct edit *t, size_t n)
 	replace_before_cursor(t, t->start, offer, length);
 	if (!open)
 		insert_letter_at_cursor(t, ' ');
-	free(t->offers);
-	t->offers = NULL;
+	xfree_and_set(&t->offers, NULL);
 }
 
 bool

@@ -20,8 +20,7 @@
 static void
 free_file_preview(struct picker *c)
 {
-	free(c->preview);
-	c->preview = NULL;
+	xfree_and_set(&c->preview, NULL);
 	c->previewed = SIZE_MAX;
 }
 
