@@ -55,16 +55,15 @@ energy_share_of_first_impacts(
 	return spectrum_impacts_above_energy(of, q->cut, true).energy / all;
 }
 
-/* Returns the mean energy of the impacts above the cut, divided by v^2/2. */
+/* Returns the mean energy of the impacts above the cut, J/kg, at the speed asked
+ * about. */
 static double
-mean_impact_energy_over_nominal(
+mean_impact_energy(
     const struct energy_question *q, const struct spectrum_size *of, bool first)
 {
 	struct spectrum_bin above =
 	    spectrum_impacts_above_energy(of, q->cut, first);
-	return above.mass > 0 && q->E > 0
-		   ? q->scale * above.energy / above.mass / q->E
-		   : NAN;
+	return above.mass > 0 ? q->scale * above.energy / above.mass : NAN;
 }
 
 static double
@@ -79,18 +78,15 @@ static void
 add_energy_row_of_size(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *of, double size)
 {
-	struct spectrum_bin above =
-	    spectrum_impacts_above_energy(of, q->cut, false);
+	double mean = mean_impact_energy(q, of, false);
 	answer_set_missing_text(r, "all");
 	answer_add_cells(r, "%.1f", size);
 	answer_set_missing_text(r, "-");
 	answer_add_cells(r, "%g %.2f %.2f %.1f %.2f %.1f %.2f",
 	    q->spectrum->counted ? of->particles : NAN,
 	    spectrum_impacts_per_particle(q->spectrum, of, 0),
-	    spectrum_impacts_per_particle(q->spectrum, of, q->cut),
-	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
-	    mean_impact_energy_over_nominal(q, of, false),
-	    100 * energy_share_of_first_impacts(q, of),
+	    spectrum_impacts_per_particle(q->spectrum, of, q->cut), mean,
+	    mean / q->E, 100 * energy_share_of_first_impacts(q, of),
 	    equivalent_impacts_of_size(q, of));
 }
 
@@ -195,7 +191,7 @@ note_whether_one_impact_is_fair(struct answer *r,
 	const double within = 0.8;
 	double k = equivalent_impacts_of_size(q, whole), ratio;
 	double first = energy_share_of_first_impacts(q, whole);
-	ratio = mean_impact_energy_over_nominal(q, whole, q->spectrum->ordered);
+	ratio = mean_impact_energy(q, whole, q->spectrum->ordered) / q->E;
 	if (!isfinite(k)) {
 		answer_add_sentence(r, ANSWER_REMARK,
 		    "without a tip speed v^2/2 is unknown: load the energies "
