@@ -326,27 +326,13 @@ show_impact_energies(
 }
 
 static bool
-check_energy_file_operand(const struct args *args, struct error *error)
-{
-	return args->n_operand == 2 ||
-	       error_set(error, ERROR_USAGE,
-		   "energy %s: expected a file\n"
-		   "write energy load FILE, or energy write FILE",
-		   args->operand[0]);
-}
-
-static bool
 load_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
-	struct collisions_way way = {.speed = NAN};
-	if (!check_energy_file_operand(args, error))
-		return false;
-	way.columns = args->columns;
+	struct collisions_way way = {.columns = args->columns,
+	    .speed = args->speed > 0 ? args->speed : NAN};
 	if (args_is_given(args, &args->unit))
 		way.unit = args->unit == 0 ? "J/kg" : "m/s";
-	if (args->speed > 0)
-		way.speed = args->speed;
 	double cut = args_is_given(args, &args->energy_cut) ? args->energy_cut
 							    : ENERGIES_CUT;
 	if (energies_load_file(s, args->operand[1], &way, cut, error) == NULL)
@@ -381,8 +367,7 @@ write_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[1];
-	if (!check_energy_file_operand(args, error) ||
-	    energies_last_read(s, error) == NULL ||
+	if (energies_last_read(s, error) == NULL ||
 	    !file_check_csv_name(path, error) ||
 	    !files_may_write(s, path, false, error) ||
 	    !files_confirm_replace(s, path, error) ||
@@ -405,7 +390,13 @@ cmd_energy(struct session *s, const struct args *args, struct error *error)
 		return show_impact_energies(s, args, error);
 	for (size_t i = 0; i < ARRAY_LEN(VERBS); i++)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
-			return VERBS[i].run(s, args, error);
+			return args->n_operand == 2
+				   ? VERBS[i].run(s, args, error)
+				   : error_set(error, ERROR_USAGE,
+					 "energy %s: expected a file\n"
+					 "write energy load FILE, or energy "
+					 "write FILE",
+					 VERBS[i].verb);
 	return error_set(error, ERROR_USAGE,
 	    "expected load or write, got '%s'\n"
 	    "write energy load FILE, or energy alone to show them",
