@@ -31,10 +31,9 @@ next_comma_list_item(const char **at)
 	if (**at == '\0')
 		return NULL;
 	size_t n = strcspn(*at, ",;");
-	char *copy = xstrndup(*at, n), *part = xstrdup(text_trim(copy));
-	free(copy);
+	FREED char *copy = xstrndup(*at, n);
 	*at += n + ((*at)[n] != '\0');
-	return part;
+	return xstrdup(text_trim(copy));
 }
 
 /* The fractions of fractions=, and their edges, m, coarsest first, without
@@ -352,10 +351,11 @@ parse_prices(const struct args *args, struct plant *p, struct error *error)
 }
 
 static void
-add_power_reading(struct plant *p, struct reading reading)
+add_power_reading(struct plant *p, const double value[static 3])
 {
 	p->reading = xrealloc(p->reading, p->n_reading + 1, sizeof *p->reading);
-	p->reading[p->n_reading++] = reading;
+	p->reading[p->n_reading++] =
+	    (struct reading){value[0], value[1], value[2]};
 }
 
 /* Parses a reading, "72:187:121", or "66:52:0" for an empty crusher.  More than
@@ -381,7 +381,7 @@ parse_power_reading(struct plant *p, const char *part, struct error *error)
 		    "expected a reading of the motor, m/s:kW:t/h, got '%s'\n"
 		    "write: power=72:187:121,79:221:118",
 		    part);
-	add_power_reading(p, (struct reading){value[0], value[1], value[2]});
+	add_power_reading(p, value);
 	return true;
 }
 
@@ -409,8 +409,7 @@ parse_power_reading_of_note(struct plant *p, const char *note)
 				value[i] = v;
 		}
 	if (isfinite(value[0] + value[1] + value[2]))
-		add_power_reading(
-		    p, (struct reading){value[0], value[1], value[2]});
+		add_power_reading(p, value);
 }
 
 static bool
