@@ -177,10 +177,9 @@ read_workbook_to_source(const char *path, const char *bytes, size_t n,
 		sheets_clear(&grid);
 		return false;
 	}
-	free(source->note);
 	source->n = grid.n;
 	source->sheet = grid.sheet;
-	source->note = grid.note;
+	xfree_and_set(&source->note, grid.note);
 	for (size_t i = 0; i < source->n; i++)
 		number_detect_decimal_sign(source->sheet[i]);
 	return !errors->stopped;

@@ -365,13 +365,12 @@ static void
 check_exactly_one_feed(struct reading_circuit *r)
 {
 	size_t feeds = 0;
-	struct row none = {.line = 1, .end = 1};
-	struct cell second = {0};
+	struct cell start = {.line = 1, .column = 1}, second = start;
 	for (size_t u = 0; u < r->circuit->n_unit; u++)
 		if (r->circuit->unit[u].kind == UNIT_FEED && feeds++ == 1)
 			second = r->row[u];
 	if (feeds == 0 && !r->sheet->lost)
-		sheet_report_fault(r->sheet, row_cell_at(&none, 0),
+		sheet_report_fault(r->sheet, start,
 		    "expected a line that begins with feed, got none\n%s",
 		    tr(HINTS[UNIT_FEED]));
 	if (feeds > 1)
