@@ -447,7 +447,6 @@ make_crusher_model(struct plant *p)
 	psd_free(&sieves);
 }
 
-/* Makes the models of the crushers that run at a speed of their own. */
 static void
 make_fixed_speed_crusher_models(struct plant *p)
 {

@@ -29,7 +29,6 @@ find_option_with_value(const struct args *args, const char *word)
 	return i;
 }
 
-/* True if the word is an operand and a path. */
 static bool
 is_path_operand(const struct args *args, const char *word)
 {

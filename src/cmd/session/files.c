@@ -129,7 +129,6 @@ files_free(struct files *files)
 	free(files);
 }
 
-/* True if the file is the one at this path. */
 static bool
 is_path_of_same_file(const char *path, const struct stat *file)
 {

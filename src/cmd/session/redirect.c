@@ -320,7 +320,6 @@ add_workbook_about_sheet(struct session *s, const struct redirect *r)
 	}
 }
 
-/* Puts the bytes of the workbook in place of the printed text. */
 static bool
 replace_printed_text_by_workbook(
     struct session *s, struct redirect *r, struct error *error)
@@ -336,7 +335,6 @@ replace_printed_text_by_workbook(
 	return r->text != NULL;
 }
 
-/* Puts the bytes of the document in place of the printed text. */
 static bool
 replace_text_by_document(struct redirect *r, struct error *error)
 {

@@ -167,7 +167,6 @@ parse_speed_in_rpm(
 		*speed = site_speed_from_rpm(r->site, rpm, rotor);
 }
 
-/* Reads one cell key=value. */
 static void
 parse_circuit_unit_key(
     struct reading_circuit *r, struct unit *unit, struct cell cell)

@@ -210,7 +210,6 @@ score_word_match(const char *name, const char *word)
 	return best;
 }
 
-/* Returns the smallest score_word_match of the words. */
 static int
 lowest_word_match_score(const char *name, const char *words)
 {
