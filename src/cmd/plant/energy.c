@@ -55,8 +55,8 @@ energy_share_of_first_impacts(
 	return spectrum_impacts_above_energy(of, q->cut, true).energy / all;
 }
 
-/* Returns the mean energy of the impacts above the cut, J/kg, at the speed asked
- * about. */
+/* Returns the mean energy of the impacts above the cut, J/kg, at the speed
+ * asked about. */
 static double
 mean_impact_energy(
     const struct energy_question *q, const struct spectrum_size *of, bool first)
