@@ -100,10 +100,8 @@ on_readline_complete(const char *text, int start, int end)
 	if (n > 0)
 		matches[0] =
 		    xstrndup(matches[1], shared_prefix_bytes(matches + 1, n));
-	if (n == 1) {
-		free(matches[1]);
-		matches[1] = NULL;
-	}
+	if (n == 1)
+		xfree_and_set(&matches[1], NULL);
 	completion_free(c);
 	if (n > 0)
 		return matches;

@@ -330,7 +330,8 @@ unpacked_size_of_file(const char *path, double bytes)
 	struct error_list errors = {0};
 	if (bytes > MOST_BYTES)
 		return bytes;
-	FREED char *content = textfile_read_bytes(path, &n, &errors);
+	FREED char *content =
+	    textfile_read_bytes(path, TEXTFILE_SHEET, &n, &errors);
 	struct archive *archive =
 	    content != NULL
 		? archive_open(content, n, ARCHIVE_MOST_BYTES, &wrong)

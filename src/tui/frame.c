@@ -67,9 +67,8 @@ draw_screen_header(struct tui *t)
 	    : left.columns < 18 ? xstrdup(tr("no site"))
 				: xstrdup(tr("no site is loaded"));
 	bool room = text_width_in_columns(label) + 11 <= left.columns;
-	if (text_width_in_columns(label) >= left.columns && entry != NULL) {
+	if (text_width_in_columns(label) >= left.columns && entry != NULL)
 		xfree_and_set(&label, short_site_label(t, left.columns));
-	}
 	screen_draw_text(&left, 0, 0, LOOK_BOLD, "%s%s",
 	    room ? tr("tipspeed  ") : "", label);
 	column = column < 0 ? 0 : column;

@@ -115,9 +115,8 @@ act_propose_save(struct tui *t, const struct key *key)
 	FREED char *name = holder != NULL ? xasprintf("\"%s\"%s", holder,
 						saved ? "" : " replace=on")
 					  : xasprintf("%s.tip", slug);
-	for (int i = 2; holder == NULL && access(name, F_OK) == 0; i++) {
+	for (int i = 2; holder == NULL && access(name, F_OK) == 0; i++)
 		xfree_and_set(&name, xasprintf("%s-%d.tip", slug, i));
-	}
 	edit_begin_with_proposal(&t->line, "save ", name);
 }
 

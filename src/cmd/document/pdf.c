@@ -508,10 +508,8 @@ lay_out_pdf(struct pdf_layout *p, size_t *n)
 		ok = p->pen->close(p->pen);
 	}
 	fclose(out);
-	if (!ok) {
-		free(bytes);
-		bytes = NULL;
-	}
+	if (!ok)
+		xfree_and_set(&bytes, NULL);
 	return bytes;
 }
 

@@ -239,8 +239,8 @@ add_difference_strip(struct chart *chart, int rows, bool band)
 	}
 	if (strip->n > 0 && band && last->low != NULL)
 		add_band_difference_series(strip, last);
-	free(strip->title);
-	strip->title = title_of_difference_strip(last, other, measured);
+	xfree_and_set(
+	    &strip->title, title_of_difference_strip(last, other, measured));
 	strip->strip = rows;
 	strip->y = difference_strip_axis(strip);
 	if (strip->n > 0)

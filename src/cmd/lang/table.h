@@ -4,7 +4,6 @@
 #define TIPSPEED_CMD_LANG_TABLE_H
 
 #include "cmd/lang/command.h"
-#include "core/psd/site.h"
 
 command_run cmd_load, cmd_add, cmd_sites, cmd_use, cmd_drop, cmd_check,
     cmd_mend, cmd_show, cmd_synth, cmd_template, cmd_write;

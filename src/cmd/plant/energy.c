@@ -55,16 +55,15 @@ energy_share_of_first_impacts(
 	return spectrum_impacts_above_energy(of, q->cut, true).energy / all;
 }
 
-/* Returns the mean energy of the impacts above the cut, divided by v^2/2. */
+/* Returns the mean energy of the impacts above the cut, J/kg, at the speed
+ * asked about. */
 static double
-mean_impact_energy_over_nominal(
+mean_impact_energy(
     const struct energy_question *q, const struct spectrum_size *of, bool first)
 {
 	struct spectrum_bin above =
 	    spectrum_impacts_above_energy(of, q->cut, first);
-	return above.mass > 0 && q->E > 0
-		   ? q->scale * above.energy / above.mass / q->E
-		   : NAN;
+	return above.mass > 0 ? q->scale * above.energy / above.mass : NAN;
 }
 
 static double
@@ -79,18 +78,15 @@ static void
 add_energy_row_of_size(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *of, double size)
 {
-	struct spectrum_bin above =
-	    spectrum_impacts_above_energy(of, q->cut, false);
+	double mean = mean_impact_energy(q, of, false);
 	answer_set_missing_text(r, "all");
 	answer_add_cells(r, "%.1f", size);
 	answer_set_missing_text(r, "-");
 	answer_add_cells(r, "%g %.2f %.2f %.1f %.2f %.1f %.2f",
 	    q->spectrum->counted ? of->particles : NAN,
 	    spectrum_impacts_per_particle(q->spectrum, of, 0),
-	    spectrum_impacts_per_particle(q->spectrum, of, q->cut),
-	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
-	    mean_impact_energy_over_nominal(q, of, false),
-	    100 * energy_share_of_first_impacts(q, of),
+	    spectrum_impacts_per_particle(q->spectrum, of, q->cut), mean,
+	    mean / q->E, 100 * energy_share_of_first_impacts(q, of),
 	    equivalent_impacts_of_size(q, of));
 }
 
@@ -195,7 +191,7 @@ note_whether_one_impact_is_fair(struct answer *r,
 	const double within = 0.8;
 	double k = equivalent_impacts_of_size(q, whole), ratio;
 	double first = energy_share_of_first_impacts(q, whole);
-	ratio = mean_impact_energy_over_nominal(q, whole, q->spectrum->ordered);
+	ratio = mean_impact_energy(q, whole, q->spectrum->ordered) / q->E;
 	if (!isfinite(k)) {
 		answer_add_sentence(r, ANSWER_REMARK,
 		    "without a tip speed v^2/2 is unknown: load the energies "
@@ -330,36 +326,20 @@ show_impact_energies(
 }
 
 static bool
-check_energy_file_operand(const struct args *args, struct error *error)
-{
-	return args->n_operand == 2 ||
-	       error_set(error, ERROR_USAGE,
-		   "energy %s: expected a file\n"
-		   "write energy load FILE, or energy write FILE",
-		   args->operand[0]);
-}
-
-static bool
 load_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
-	struct collisions_way way = {.speed = NAN};
-	if (!check_energy_file_operand(args, error))
-		return false;
-	way.columns = args->columns;
+	struct collisions_way way = {.columns = args->columns,
+	    .speed = args->speed > 0 ? args->speed : NAN};
 	if (args_is_given(args, &args->unit))
 		way.unit = args->unit == 0 ? "J/kg" : "m/s";
-	if (args->speed > 0)
-		way.speed = args->speed;
 	double cut = args_is_given(args, &args->energy_cut) ? args->energy_cut
 							    : ENERGIES_CUT;
 	if (energies_load_file(s, args->operand[1], &way, cut, error) == NULL)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
-	if (args->note != NULL) {
-		free(e->c.about);
-		e->c.about = xstrdup(args->note);
-	}
+	if (args->note != NULL)
+		xfree_and_set(&e->c.about, xstrdup(args->note));
 	s->energy = e;
 	session_print_note(s,
 	    e->c.weighted && e->c.spectrum->speed > 0
@@ -387,8 +367,7 @@ write_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[1];
-	if (!check_energy_file_operand(args, error) ||
-	    energies_last_read(s, error) == NULL ||
+	if (energies_last_read(s, error) == NULL ||
 	    !file_check_csv_name(path, error) ||
 	    !files_may_write(s, path, false, error) ||
 	    !files_confirm_replace(s, path, error) ||
@@ -411,7 +390,13 @@ cmd_energy(struct session *s, const struct args *args, struct error *error)
 		return show_impact_energies(s, args, error);
 	for (size_t i = 0; i < ARRAY_LEN(VERBS); i++)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
-			return VERBS[i].run(s, args, error);
+			return args->n_operand == 2
+				   ? VERBS[i].run(s, args, error)
+				   : error_set(error, ERROR_USAGE,
+					 "energy %s: expected a file\n"
+					 "write energy load FILE, or energy "
+					 "write FILE",
+					 VERBS[i].verb);
 	return error_set(error, ERROR_USAGE,
 	    "expected load or write, got '%s'\n"
 	    "write energy load FILE, or energy alone to show them",

@@ -308,16 +308,12 @@ search_best_earning_speed(const struct plant *p, double from, double to)
 	return s;
 }
 
-/* Sets range to the band of the speed that earns most, or to NAN if there are
- * no draws. */
+/* Sets range to the band of the speed that earns most, see band_of_draws. */
 static void
 band_of_best_earning_speed(const struct plant *p, const struct speed_trials *s,
-    size_t draws, double range[static 2])
+    const struct plant_result *o, double range[static 2])
 {
 	double best[DRAWS];
-	range[0] = range[1] = NAN;
-	if (draws != DRAWS)
-		return;
 	for (size_t d = 0; d < DRAWS; d++) {
 		size_t at = s->best;
 		for (size_t i = 0; i < s->n; i++)
@@ -326,8 +322,7 @@ band_of_best_earning_speed(const struct plant *p, const struct speed_trials *s,
 				at = i;
 		best[d] = s->speed[at];
 	}
-	ensemble_interval_around_answer(
-	    best, p->question->level, s->speed[s->best], range);
+	band_of_draws(p, o, best, s->speed[s->best], range);
 }
 
 /* Notes what the best speed gains over the usual one, and whether the gain
@@ -376,7 +371,7 @@ note_best_earning_speed(const struct plant *p, const struct speed_trials *s,
 	bool end = v <= s->from || v >= s->to;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(p->question->entry->site->rotor, v, NAN);
-	band_of_best_earning_speed(p, s, best->flow.draws, range);
+	band_of_best_earning_speed(p, s, best, range);
 	for (size_t i = 0; i < s->n; i++)
 		open += isnan(s->money[i]) ? 1 : 0;
 	FREED char *band = quantities_band_text(range[0], range[1], 1);

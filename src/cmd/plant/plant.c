@@ -31,10 +31,9 @@ next_comma_list_item(const char **at)
 	if (**at == '\0')
 		return NULL;
 	size_t n = strcspn(*at, ",;");
-	char *copy = xstrndup(*at, n), *part = xstrdup(text_trim(copy));
-	free(copy);
+	FREED char *copy = xstrndup(*at, n);
 	*at += n + ((*at)[n] != '\0');
-	return part;
+	return xstrdup(text_trim(copy));
 }
 
 /* The fractions of fractions=, and their edges, m, coarsest first, without
@@ -91,29 +90,15 @@ name_of_size_fraction(double fine, double coarse)
 	return quantities_fraction_text(&f);
 }
 
-/* True if a list contains a name; adds 1 to *taken then. */
-static bool
-find_and_count_name_in_list(const char *list, const char *name, size_t *taken)
-{
-	char *part;
-	bool found = false;
-	for (const char *at = list;
-	     (part = next_comma_list_item(&at)) != NULL;) {
-		found = found || strcmp(part, name) == 0;
-		free(part);
-	}
-	*taken += found;
-	return found;
-}
-
+/* Returns how many parts of a list are `name`, or all if that is NULL. */
 static size_t
-count_list_parts(const char *list)
+count_list_parts(const char *list, const char *name)
 {
 	size_t n = 0;
 	char *part;
 	for (const char *at = list; (part = next_comma_list_item(&at)) != NULL;
-	     n++)
-		free(part);
+	     free(part))
+		n += name == NULL || strcmp(part, name) == 0;
 	return n;
 }
 
@@ -179,14 +164,15 @@ build_circuit(const struct args *args, const struct fraction_list *cuts,
 		size_t over = pan ? now
 				  : add_screen_of_deck(c, args, cuts->edge[i],
 					name, i + 1 == cuts->n_edge, &now);
-		if (find_and_count_name_in_list(p->back, name, &taken) &&
-		    crusher->n_in < UNIT_STREAMS)
+		bool back = count_list_parts(p->back, name) > 0;
+		taken += back;
+		if (back && crusher->n_in < UNIT_STREAMS)
 			crusher->in[crusher->n_in++] = over;
 		else
 			add_circuit_unit_with_inlet(
 			    c, UNIT_STOCKPILE, name, over);
 	}
-	if (taken == count_list_parts(p->back) && taken < UNIT_STREAMS)
+	if (taken == count_list_parts(p->back, NULL) && taken < UNIT_STREAMS)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected fractions of the list in recycle=, got '%s'\n"
@@ -365,10 +351,11 @@ parse_prices(const struct args *args, struct plant *p, struct error *error)
 }
 
 static void
-add_power_reading(struct plant *p, struct reading reading)
+add_power_reading(struct plant *p, const double value[static 3])
 {
 	p->reading = xrealloc(p->reading, p->n_reading + 1, sizeof *p->reading);
-	p->reading[p->n_reading++] = reading;
+	p->reading[p->n_reading++] =
+	    (struct reading){value[0], value[1], value[2]};
 }
 
 /* Parses a reading, "72:187:121", or "66:52:0" for an empty crusher.  More than
@@ -394,7 +381,7 @@ parse_power_reading(struct plant *p, const char *part, struct error *error)
 		    "expected a reading of the motor, m/s:kW:t/h, got '%s'\n"
 		    "write: power=72:187:121,79:221:118",
 		    part);
-	add_power_reading(p, (struct reading){value[0], value[1], value[2]});
+	add_power_reading(p, value);
 	return true;
 }
 
@@ -422,8 +409,7 @@ parse_power_reading_of_note(struct plant *p, const char *note)
 				value[i] = v;
 		}
 	if (isfinite(value[0] + value[1] + value[2]))
-		add_power_reading(
-		    p, (struct reading){value[0], value[1], value[2]});
+		add_power_reading(p, value);
 }
 
 static bool
@@ -461,7 +447,6 @@ make_crusher_model(struct plant *p)
 	psd_free(&sieves);
 }
 
-/* Makes the models of the crushers that run at a speed of their own. */
 static void
 make_fixed_speed_crusher_models(struct plant *p)
 {

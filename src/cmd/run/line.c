@@ -35,6 +35,7 @@ session_new(FILE *out, FILE *notes)
 	s->isa = ISA_BEST;
 	s->out = out;
 	s->notes = notes;
+	s->files = files_new();
 	s->journal = journal_new();
 	s->undo = undo_new();
 	s->moved = moved_products_new();

@@ -121,8 +121,7 @@ remove_restored_autosave(struct autosave *k)
 {
 	if (k->restored != NULL)
 		remove(k->restored);
-	free(k->restored);
-	k->restored = NULL;
+	xfree_and_set(&k->restored, NULL);
 }
 
 /* Called after a command.  whole: if it restored a session, all of it ran. */

@@ -29,7 +29,6 @@ find_option_with_value(const struct args *args, const char *word)
 	return i;
 }
 
-/* True if the word is an operand and a path. */
 static bool
 is_path_operand(const struct args *args, const char *word)
 {
@@ -165,15 +164,14 @@ path_beside_script(const char *path, const void *script)
 	const char *name = path;
 	while (strncmp(name, "./", 2) == 0)
 		name += 2;
-	char *beside = xasprintf("%s/%s", of->folder, name);
+	FREED char *beside = xasprintf("%s/%s", of->folder, name);
 	bool dots = strcmp(name, "") == 0 || strcmp(name, ".") == 0;
 	/* A file that the session wrote is what a later line means. */
 	FREED char *file = xstrndup(path, call_path_length_of_file(path));
-	if (path[0] != '/' && !dots && call_path_length_of_file(beside) > 0 &&
-	    (file[0] == '\0' || !files_is_written(of->session, file)))
-		return beside;
-	free(beside);
-	return xstrdup(path);
+	bool found = path[0] != '/' && !dots &&
+		     call_path_length_of_file(beside) > 0 &&
+		     (file[0] == '\0' || !files_is_written(of->session, file));
+	return xstrdup(found ? beside : path);
 }
 
 /* True if the word names a file to write. */

@@ -29,18 +29,16 @@ struct files {
 	bool saved;
 };
 
-static struct files *
-session_files_or_new(struct session *s)
+struct files *
+files_new(void)
 {
-	if (s->files == NULL)
-		s->files = xcalloc(1, sizeof *s->files);
-	return s->files;
+	return xcalloc(1, sizeof(struct files));
 }
 
 static struct use_of_file *
 record_use_of_file(struct session *s, const char *path, bool written)
 {
-	struct files *f = session_files_or_new(s);
+	struct files *f = s->files;
 	size_t i = 0;
 	while (i < f->n && (f->use[i].written != written ||
 			       strcmp(f->use[i].path, path) != 0))
@@ -83,7 +81,7 @@ files_record_read(struct session *s, const char *path)
 size_t
 files_count_all_uses(const struct session *s)
 {
-	return s->files != NULL ? s->files->uses : 0;
+	return s->files->uses;
 }
 
 const char *
@@ -107,11 +105,8 @@ files_record_written(struct session *s, const char *path)
 void
 files_set_session_script_path(struct session *s, const char *path, bool saved)
 {
-	struct files *f = session_files_or_new(s);
-	char *holder = xstrdup(path);
-	free(f->holder);
-	f->holder = holder;
-	f->saved = saved;
+	xfree_and_set(&s->files->holder, xstrdup(path));
+	s->files->saved = saved;
 	if (saved)
 		files_record_written(s, path);
 }
@@ -120,15 +115,13 @@ const char *
 files_session_script_path(const struct session *s, bool *saved)
 {
 	if (saved != NULL)
-		*saved = s->files != NULL && s->files->saved;
-	return s->files != NULL ? s->files->holder : NULL;
+		*saved = s->files->saved;
+	return s->files->holder;
 }
 
 void
 files_free(struct files *files)
 {
-	if (files == NULL)
-		return;
 	free(files->holder);
 	for (size_t i = 0; i < files->n; i++)
 		free(files->use[i].path);
@@ -136,7 +129,6 @@ files_free(struct files *files)
 	free(files);
 }
 
-/* True if the file is the one at this path. */
 static bool
 is_path_of_same_file(const char *path, const struct stat *file)
 {
@@ -152,7 +144,7 @@ is_file_in_read_or_written_list(
     const struct session *s, const struct stat *file, bool written)
 {
 	const struct files *f = s->files;
-	for (size_t i = 0; f != NULL && i < f->n; i++)
+	for (size_t i = 0; i < f->n; i++)
 		if (f->use[i].written == written &&
 		    is_path_of_same_file(f->use[i].path, file))
 			return true;

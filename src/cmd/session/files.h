@@ -64,6 +64,7 @@ size_t files_count_all_uses(const struct session *s);
 const char *files_path_of_nth_read(
     const struct session *s, size_t number, uint64_t *digest);
 
+struct files *files_new(void);
 void files_free(struct files *files);
 
 #endif

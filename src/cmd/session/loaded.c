@@ -164,10 +164,8 @@ origin_new_of_copied_params(const struct entry *from)
 static void
 set_origin_material(struct origin *o, const struct material *m)
 {
-	free(o->material);
-	free(o->date);
-	o->material = xstrdup(m->name);
-	o->date = xstrdup(m->date);
+	xfree_and_set(&o->material, xstrdup(m->name));
+	xfree_and_set(&o->date, xstrdup(m->date));
 }
 
 struct origin *
@@ -175,11 +173,10 @@ origin_new_of_remembered_fit(
     const struct entry *entry, const struct material *m)
 {
 	struct origin *o = origin_new_of_fit(entry);
-	free(o->words);
-	o->words =
+	xfree_and_set(&o->words,
 	    m->date[0] != '\0'
 		? xasprintf(tr("remembered on %s as %s"), m->date, m->name)
-		: xasprintf(tr("remembered as %s"), m->name);
+		: xasprintf(tr("remembered as %s"), m->name));
 	set_origin_material(o, m);
 	return o;
 }
@@ -259,9 +256,9 @@ origin_training_speed_range(
 	const struct site *site = entry->site;
 	*slowest = INFINITY;
 	*fastest = 0;
-	size_t n = origin_has_training_speeds(entry) ? o->n_speed : site->n_run;
+	bool other = origin_has_training_speeds(entry);
+	size_t n = other ? o->n_speed : site->n_run;
 	for (size_t i = 0; i < n; i++) {
-		bool other = origin_has_training_speeds(entry);
 		if (!other && !entry->train[i])
 			continue;
 		double v = other ? o->speed[i] : site->run[i].speed;

@@ -237,8 +237,7 @@ add_byte_order_mark(struct redirect *r)
 	char *text = xcalloc(r->n + 4, 1);
 	memcpy(text, "\xEF\xBB\xBF", 3);
 	memcpy(text + 3, r->text, r->n);
-	free(r->text);
-	r->text = text;
+	xfree_and_set(&r->text, text);
 	r->n += 3;
 }
 
@@ -320,7 +319,6 @@ add_workbook_about_sheet(struct session *s, const struct redirect *r)
 	}
 }
 
-/* Puts the bytes of the workbook in place of the printed text. */
 static bool
 replace_printed_text_by_workbook(
     struct session *s, struct redirect *r, struct error *error)
@@ -331,13 +329,11 @@ replace_printed_text_by_workbook(
 		    "write > FILE.txt instead",
 		    r->target);
 	add_workbook_about_sheet(s, r);
-	free(r->text);
-	r->text = book_finish_to_bytes(r->book, &r->n, error);
+	xfree_and_set(&r->text, book_finish_to_bytes(r->book, &r->n, error));
 	r->book = NULL;
 	return r->text != NULL;
 }
 
-/* Puts the bytes of the document in place of the printed text. */
 static bool
 replace_text_by_document(struct redirect *r, struct error *error)
 {
@@ -346,10 +342,10 @@ replace_text_by_document(struct redirect *r, struct error *error)
 		    "no results for a document (%s)\n"
 		    "use it with a command that answers: predict > %s",
 		    r->target, r->target);
-	free(r->text);
-	r->text = r->kind == OUTPUT_PDF
-		      ? document_to_pdf(r->document, &r->n, &r->pages)
-		      : document_to_html(r->document, &r->n);
+	xfree_and_set(
+	    &r->text, r->kind == OUTPUT_PDF
+			  ? document_to_pdf(r->document, &r->n, &r->pages)
+			  : document_to_html(r->document, &r->n));
 	return r->text != NULL || error_set(error, ERROR_SYSTEM,
 				      "cannot draw the document %s\n"
 				      "try > FILE.html",

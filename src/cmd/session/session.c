@@ -59,7 +59,6 @@ print_answer_for_programs(struct session *s, const struct answer_form *form,
 	return rows;
 }
 
-/* Removes answer i of those kept. */
 static void
 remove_answer_at(struct session *s, size_t i)
 {

@@ -137,7 +137,7 @@ struct session {
 	/* Becomes true if the user interrupts what the answer of the running
 	 * command rests on; NULL: none runs, or it changes the session. */
 	bool *cut_short;
-	struct files *files; /* those read and written, see files.h; or NULL */
+	struct files *files; /* those read and written, see files.h */
 	size_t n_site;
 	struct site **site;    /* all sites so far; entries borrow them */
 	struct plant_log *log; /* in use, or NULL */

@@ -44,10 +44,9 @@ static char *
 name_slug(const char *name)
 {
 	char *slug = text_slug(name);
-	if (slug[0] != '\0')
-		return slug;
-	free(slug);
-	return xstrdup("unnamed");
+	if (slug[0] == '\0')
+		xfree_and_set(&slug, xstrdup("unnamed"));
+	return slug;
 }
 
 /* Returns a new key: "tierp"; with the size, "gavle/11.2", if other sites have
@@ -68,21 +67,15 @@ make_unique_site_key(struct session *s, const struct site *site)
 		    (other->key[n] != '\0' && other->key[n] != '/'))
 			continue;
 		shared = true;
-		if (strcmp(other->key, slug) == 0 &&
-		    other->site->top_size > 0) {
-			free(other->key);
-			other->key = site_key_with_top_size(slug, other->site);
-		}
+		if (strcmp(other->key, slug) == 0 && other->site->top_size > 0)
+			xfree_and_set(&other->key,
+			    site_key_with_top_size(slug, other->site));
 	}
-	if (shared && site->top_size > 0) {
-		free(key);
-		key = site_key_with_top_size(slug, site);
-	}
+	if (shared && site->top_size > 0)
+		xfree_and_set(&key, site_key_with_top_size(slug, site));
 	FREED char *stem = xstrdup(key);
-	for (int i = 2; is_site_key_taken(s, name, key); i++) {
-		free(key);
-		key = xasprintf("%s/%d", stem, i);
-	}
+	for (int i = 2; is_site_key_taken(s, name, key); i++)
+		xfree_and_set(&key, xasprintf("%s/%d", stem, i));
 	free(slug);
 	return key;
 }
@@ -209,9 +202,8 @@ session_remove_site(struct session *s, size_t index)
 	else if (s->job.type != NULL && s->job.entry > index)
 		s->job.entry--;
 	entry_clear(&s->entry[index]);
-	s->n_entry--;
 	memmove(&s->entry[index], &s->entry[index + 1],
-	    (s->n_entry - index) * sizeof *s->entry);
+	    (--s->n_entry - index) * sizeof *s->entry);
 	if (s->current == index)
 		session_remove_answers(s);
 	bool last = s->current == index && index == s->n_entry;
@@ -287,19 +279,14 @@ static int
 site_name_match_grade(const struct entry *entry, const char *wanted)
 {
 	FREED char *name = name_slug(entry->site->name);
-	FREED char *sized =
-	    xasprintf("%s/%g", name, units_m_to_mm(entry->site->top_size));
+	FREED char *sized = site_key_with_top_size(name, entry->site);
 	FREED char *folded = text_fold_case_and_accents(wanted),
 		   *slug = slug_of_typed_name(wanted);
 	FREED char *loose = slug_of_typed_name(entry->site->name);
-	int match = 0;
-	if (strcmp(entry->key, folded) == 0)
-		match = 3;
-	else if (strcmp(sized, folded) == 0)
-		match = 2;
-	else if (strcmp(loose, slug) == 0)
-		match = 1;
-	return match;
+	return strcmp(entry->key, folded) == 0 ? 3
+	       : strcmp(sized, folded) == 0    ? 2
+	       : strcmp(loose, slug) == 0      ? 1
+					       : 0;
 }
 
 /* Returns "gavle/4, gavle/11.2": the keys of the sites that match, or of all if

@@ -4,7 +4,6 @@
 #ifndef TIPSPEED_CORE_POSTERIOR_IDENTIFY_H
 #define TIPSPEED_CORE_POSTERIOR_IDENTIFY_H
 
-#include "core/model/params.h"
 #include "core/posterior/posterior.h"
 
 /* Grades by the ratio of the standard deviation of a parameter's draws to the

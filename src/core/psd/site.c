@@ -67,18 +67,12 @@ copy_run(const struct run *from)
 	return to;
 }
 
-static void
-replace_string_by_copy(char **text, const char *by)
-{
-	xfree_and_set(text, xstrdup(by));
-}
-
 struct site *
 site_copy(const struct site *from)
 {
 	struct site *to = site_new(from->n_run);
 	for (size_t i = 0; i < SITE_TEXTS; i++)
-		replace_string_by_copy(&to->text[i], from->text[i]);
+		xfree_and_set(&to->text[i], xstrdup(from->text[i]));
 	to->top_size = from->top_size;
 	to->rotor = from->rotor;
 	to->run_rotor = from->run_rotor;
@@ -192,9 +186,9 @@ provenance_of_site_and_feed(const struct site *site, const char *of)
 	FREED char *site_is = xasprintf("%.*s", (int)n, n > 0 ? own : "");
 	FREED char *feed_is = xasprintf("%.*s", (int)n_of, of);
 	if (n == 0)
-		replace_string_by_copy(&site_is, "not stated");
+		xfree_and_set(&site_is, xstrdup("not stated"));
 	if (n_of == 0)
-		replace_string_by_copy(&feed_is, "not stated");
+		xfree_and_set(&feed_is, xstrdup("not stated"));
 	return worse ? xasprintf("%s (the feed), site: %s%s", feed_is, site_is,
 			   own + n)
 		     : xasprintf("%s, feed: %s%s", site_is, feed_is, own + n);
@@ -206,7 +200,7 @@ site_copy_with_feed(const struct site *site, const struct psd *feed,
 {
 	struct site *to = site_copy(site);
 	xfree_and_set(&to->provenance, provenance_of_site_and_feed(site, of));
-	replace_string_by_copy(&to->feed_from, from);
+	xfree_and_set(&to->feed_from, xstrdup(from));
 	to->run = xrealloc(to->run, to->n_run + 1, sizeof *to->run);
 	to->run[to->n_run++] =
 	    (struct run){.speed = SITE_OTHER_FEED, .feed = psd_copy(feed)};

@@ -85,15 +85,11 @@ cell_format_of_code(const char *code)
 	/* m means minutes, as in m:ss */
 	struct said said = {.time = text_is_same_but_case(code, "m:s", 3) ||
 				    text_is_same_but_case(code, "mm:s", 4)};
-	static const char *const PLAIN[] = {"General", "Standard"};
 	for (const char *p = code; *p != '\0' && *p != ';';) {
-		size_t plain = 0;
-		for (size_t i = 0; i < ARRAY_LEN(PLAIN); i++)
-			if (text_is_same_but_case(
-				p, PLAIN[i], strlen(PLAIN[i])))
-				plain = strlen(PLAIN[i]);
-		if (plain > 0)
-			p += plain;
+		if (text_is_same_but_case(p, "General", 7))
+			p += 7;
+		else if (text_is_same_but_case(p, "Standard", 8))
+			p += 8;
 		else if (*p == '"' || *p == '[')
 			p = parse_format_quote_or_bracket(p, &said);
 		else

@@ -224,11 +224,10 @@ datetime_parse(const char *text, struct datetime *m)
 {
 	FREED char *folded = text_fold_case_and_accents(text);
 	const char *all = text_trim(folded), *p = all;
-	struct datetime none = {.plain = false};
-	*m = none;
+	*m = (struct datetime){.plain = false};
 	m->has_date = datetime_parse_date(&p, m);
 	if (!m->has_date) {
-		*m = none;
+		*m = (struct datetime){.plain = false};
 		return datetime_parse_time(all, false, m);
 	}
 	size_t gap = strspn(p, "t, ");

@@ -163,7 +163,5 @@ encoding_to_nfc(const char *text)
 	    should_compose_accents(text)
 		? utf8proc_NFC((const utf8proc_uint8_t *)text)
 		: NULL;
-	if (composed == NULL)
-		return xstrdup(text);
-	return (char *)composed;
+	return composed != NULL ? (char *)composed : xstrdup(text);
 }

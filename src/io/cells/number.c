@@ -155,29 +155,24 @@ parse_number_with_unit(
 	return AS_NONE;
 }
 
-static bool
-is_mark_for_missing(const char *text)
+/* Returns AS_ABSENT for a mark for a missing number, AS_TRACE for a word that
+ * means an amount too small to weigh, else AS_NONE. */
+static enum cell_value
+value_of_word(const char *text)
 {
 	static const char *const ABSENT[] = {"", "-", "--", "---",
 	    "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "n/a", "na", "n.a.",
 	    "nan", "#n/a", "none", "null", "nd", "n.d.", "ej", "k.a.", "?",
 	    "not used", "saknas", "s/d", "bdl", "brak", "n.b."};
-	for (size_t i = 0; i < ARRAY_LEN(ABSENT); i++)
-		if (text_is_same_but_case(text, ABSENT[i], SIZE_MAX))
-			return true;
-	return false;
-}
-
-/* True for a word that means an amount too small to weigh. */
-static bool
-is_word_for_trace(const char *text)
-{
 	static const char *const TRACE[] = {"trace", "traces", "tr", "tr.",
 	    "sp\xC3\xA5r", "spuren", "trazas", "tracce"};
+	for (size_t i = 0; i < ARRAY_LEN(ABSENT); i++)
+		if (text_is_same_but_case(text, ABSENT[i], SIZE_MAX))
+			return AS_ABSENT;
 	for (size_t i = 0; i < ARRAY_LEN(TRACE); i++)
 		if (text_is_same_but_case(text, TRACE[i], SIZE_MAX))
-			return true;
-	return false;
+			return AS_TRACE;
+	return AS_NONE;
 }
 
 static void
@@ -192,11 +187,7 @@ parse_number_in_cell(const struct sheet *sheet, struct cell *cell)
 		bool less = cell->text[0] == '<';
 		if (parse_number_text(sheet, cell->text + less, &number))
 			cell->value = AS_NUMBER;
-		else if (is_mark_for_missing(cell->text))
-			cell->value = AS_ABSENT;
-		else if (is_word_for_trace(cell->text))
-			cell->value = AS_TRACE;
-		else
+		else if ((cell->value = value_of_word(cell->text)) == AS_NONE)
 			cell->value = parse_number_with_unit(
 			    sheet, cell->text + less, &number);
 		if (less && cell->value != AS_NONE)

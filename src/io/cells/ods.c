@@ -340,13 +340,11 @@ static void
 ods_end_element(void *data, const char *name)
 {
 	struct reading *r = data;
-	bool cell = strcmp(name, "table-cell") == 0 ||
-		    strcmp(name, "covered-table-cell") == 0;
 	if (r->skip > 0) {
 		r->skip--;
 	} else if (r->paragraph > 0) {
 		r->paragraph--;
-	} else if (r->cell > 0 && cell) {
+	} else if (r->cell > 0) {
 		r->cell = 0;
 		ods_end_cell(r);
 	} else if (r->table > 0 && strcmp(name, "table-row") == 0) {

@@ -471,17 +471,6 @@ sheet_new_from_text(const char *path, char *text, struct sheet_limits most,
 	return sheet;
 }
 
-struct sheet *
-sheet_new_without_line_limit(
-    const char *path, char *text, struct error_list *errors)
-{
-	size_t lines = 1, length = strlen(text);
-	for (const char *p = text; *p != '\0'; p++)
-		lines += *p == '\n' || *p == '\r';
-	struct sheet_limits most = {.rows = lines, .bytes = length};
-	return sheet_new_from_text(path, text, most, errors);
-}
-
 /* Returns the number of rows up to and including line `line`. */
 static size_t
 count_rows_to_line(const struct sheet *sheet, int line)

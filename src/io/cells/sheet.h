@@ -95,11 +95,6 @@ struct sheet *sheet_new_from_text(const char *path, char *text,
     struct sheet_limits most, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
 
-/* As sheet_new_from_text, but without limits on lines, for a text that the
- * program itself may have written. */
-struct sheet *sheet_new_without_line_limit(
-    const char *path, char *text, struct error_list *errors);
-
 /* Make a sheet of a workbook.  Messages show its rows with tabs between cells.
  * sheet_set_cell adds a cell, in any order, and takes ownership of its text.
  * sheet_separate_comment_rows completes the sheet after the last cell; rows

@@ -102,61 +102,44 @@ read_zip_to_grid(const char *bytes, size_t n, struct sheets *grid)
 	return good;
 }
 
-/* Refuses .xls and workbooks with a password. */
-static bool
-refuse_ole_file(const char *bytes, size_t n, struct sheets *grid)
-{
-	(void)bytes, (void)n;
-	return refuse_workbook(grid,
-	    tr("expected .xlsx, .ods or text, got an old .xls or a workbook "
-	       "with a password"),
-	    tr("save it as .xlsx without a password"));
-}
-
-/* Refuses texts that are no sheets, though they may hold tables. */
-static bool
-refuse_marked_up_text(const char *bytes, size_t n, struct sheets *grid)
-{
-	(void)n;
-	return refuse_workbook(grid,
-	    bytes[0] == '<'
-		? tr("expected .xlsx, .ods or text, got HTML or XML")
-	    : bytes[0] == '%' ? tr("expected .xlsx, .ods or text, got a PDF")
-			      : tr("expected .xlsx, .ods or text, got JSON"),
-	    tr("save the table as .xlsx or CSV"));
-}
-
-/* Puts the cells of a file into the grid.  Returns false with one fault if that
- * is not possible. */
-typedef bool read_to_grid(const char *bytes, size_t n, struct sheets *grid);
+static const char MARKED_UP[] =
+    N_("expected .xlsx, .ods or text, got HTML or XML"),
+		  JSON[] = N_("expected .xlsx, .ods or text, got JSON"),
+		  SAVE_TABLE[] = N_("save the table as .xlsx or CSV");
 
 /* Kinds of files that are not read as text, by their first bytes.  An empty zip
- * archive begins with PK\5\6, a split one with PK\7\8. */
-static const struct {
+ * archive begins with PK\5\6, a split one with PK\7\8.  read: puts the cells
+ * into the grid; returns false with one fault if that is not possible.  NULL:
+ * the file is refused, with what is wrong and the next step. */
+static const struct kind {
 	const char *begin;
-	read_to_grid *read;
+	bool (*read)(const char *bytes, size_t n, struct sheets *grid);
+	const char *wrong, *step;
 } KINDS[] = {
-    {"PK\3\4", read_zip_to_grid},
-    {"PK\5\6", read_zip_to_grid},
-    {"PK\7\x8", read_zip_to_grid},
-    {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", refuse_ole_file},
-    {"<!DOCTYPE", refuse_marked_up_text},
-    {"<!doctype", refuse_marked_up_text},
-    {"<html", refuse_marked_up_text},
-    {"<?xml", refuse_marked_up_text},
-    {"%PDF", refuse_marked_up_text},
-    {"{\"", refuse_marked_up_text},
-    {"[{", refuse_marked_up_text},
+    {"PK\3\4", read_zip_to_grid, NULL, NULL},
+    {"PK\5\6", read_zip_to_grid, NULL, NULL},
+    {"PK\7\x8", read_zip_to_grid, NULL, NULL},
+    {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", NULL,
+	N_("expected .xlsx, .ods or text, got an old .xls or a workbook "
+	   "with a password"),
+	N_("save it as .xlsx without a password")},
+    {"<!DOCTYPE", NULL, MARKED_UP, SAVE_TABLE},
+    {"<!doctype", NULL, MARKED_UP, SAVE_TABLE},
+    {"<html", NULL, MARKED_UP, SAVE_TABLE},
+    {"<?xml", NULL, MARKED_UP, SAVE_TABLE},
+    {"%PDF", NULL, N_("expected .xlsx, .ods or text, got a PDF"), SAVE_TABLE},
+    {"{\"", NULL, JSON, SAVE_TABLE},
+    {"[{", NULL, JSON, SAVE_TABLE},
 };
 
-/* Returns how a file of cells is read, or NULL for text. */
-static read_to_grid *
-find_reader_of_kind(const char *bytes, size_t n)
+/* Returns the kind of a file, or NULL for text. */
+static const struct kind *
+find_kind_of_file(const char *bytes, size_t n)
 {
 	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++) {
 		size_t length = strlen(KINDS[i].begin);
 		if (n >= length && memcmp(bytes, KINDS[i].begin, length) == 0)
-			return KINDS[i].read;
+			return &KINDS[i];
 	}
 	return NULL;
 }
@@ -184,17 +167,19 @@ read_workbook_to_source(const char *path, const char *bytes, size_t n,
 {
 	struct sheets grid = sheets_new(path, most, errors);
 	size_t before = errors->n + errors->more;
-	bool good = find_reader_of_kind(bytes, n)(bytes, n, &grid);
+	const struct kind *kind = find_kind_of_file(bytes, n);
+	bool good = kind->read != NULL ? kind->read(bytes, n, &grid)
+				       : refuse_workbook(&grid, tr(kind->wrong),
+					     tr(kind->step));
 	assert(good || errors->n + errors->more > before);
 	sheets_add_count_of_omitted_notes(&grid);
 	if (!good || !check_some_sheet_read(&grid)) {
 		sheets_clear(&grid);
 		return false;
 	}
-	free(source->note);
 	source->n = grid.n;
 	source->sheet = grid.sheet;
-	source->note = grid.note;
+	xfree_and_set(&source->note, grid.note);
 	for (size_t i = 0; i < source->n; i++)
 		number_detect_decimal_sign(source->sheet[i]);
 	return !errors->stopped;
@@ -224,10 +209,11 @@ source_read_within_limits(const char *path, struct sheet_limits most,
 {
 	size_t n;
 	*source = (struct source){.note = xstrdup("")};
-	FREED char *bytes = textfile_read_bytes(path, &n, errors);
+	FREED char *bytes =
+	    textfile_read_bytes(path, TEXTFILE_SHEET, &n, errors);
 	if (bytes == NULL)
 		return false;
-	return find_reader_of_kind(bytes, n) != NULL
+	return find_kind_of_file(bytes, n) != NULL
 		   ? read_workbook_to_source(
 			 path, bytes, n, most, errors, source)
 		   : source_read_plain_text(

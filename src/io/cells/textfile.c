@@ -28,15 +28,6 @@ offset_of_control_character(const char *text, size_t n)
 	return i;
 }
 
-static bool
-textfile_is_blank(const char *bytes, size_t n)
-{
-	for (size_t i = 0; i < n; i++)
-		if (memchr(" \t\r\n", bytes[i], 4) == NULL)
-			return false;
-	return true;
-}
-
 static char *
 refuse_large_file(
     const char *path, double bytes, size_t most, struct error_list *errors)
@@ -86,7 +77,7 @@ textfile_decode(const char *path, const char *bytes, size_t n,
 		    N_("expected text, got a binary file"), errors);
 	else if (d.wrong != NULL)
 		refuse_invalid_text(path, d.text, d.bad, d.wrong, errors);
-	else if (textfile_is_blank(d.text, d.n))
+	else if (d.text[strspn(d.text, " \t\r\n")] == '\0')
 		error_set_at(error_list_add_item(errors), ERROR_DATA, path, 1,
 		    1,
 		    "expected text, got an empty file\n"
@@ -192,9 +183,9 @@ textfile_open(const char *path, const char **why)
 	return file;
 }
 
-static char *
-read_file_bytes(
-    const char *path, size_t most, size_t *n, struct error_list *errors)
+char *
+textfile_read_bytes(const char *path, enum textfile_bytes most, size_t *n,
+    struct error_list *errors)
 {
 	const char *why;
 	FILE *file = textfile_open(path, &why);
@@ -215,18 +206,12 @@ read_file_bytes(
 }
 
 char *
-textfile_read_bytes(const char *path, size_t *n, struct error_list *errors)
-{
-	return read_file_bytes(path, TEXTFILE_SHEET, n, errors);
-}
-
-char *
 textfile_read(
     const char *path, enum textfile_bytes most, struct error_list *errors)
 {
 	size_t n;
 	const char *note;
-	FREED char *bytes = read_file_bytes(path, most, &n, errors);
+	FREED char *bytes = textfile_read_bytes(path, most, &n, errors);
 	return bytes != NULL ? textfile_decode(path, bytes, n, &note, errors)
 			     : NULL;
 }

@@ -16,11 +16,18 @@ FILE *textfile_open(const char *path, const char **why);
 /* Returns what to do about a file that cannot be read.  The caller frees it. */
 char *textfile_hint_after_failed_open(const char *path);
 
-/* Returns the content of a file of at most 10 MB, *n bytes, which the caller
- * frees.  Returns NULL with one fault if the file cannot be read (ERROR_SYSTEM)
- * or is larger, which is checked before reading it. */
-char *textfile_read_bytes(
-    const char *path, size_t *n, struct error_list *errors);
+/* The size of the largest file that is read.  TEXTFILE_SHEET: a user's sheet;
+ * TEXTFILE_OWN: a file that the program itself may have written. */
+enum textfile_bytes {
+	TEXTFILE_SHEET = 10 * 1000 * 1000,
+	TEXTFILE_OWN = 1000 * 1000 * 1000
+};
+
+/* Returns the content of a file of at most `most` bytes, *n bytes, which the
+ * caller frees.  Returns NULL with one fault if the file cannot be read
+ * (ERROR_SYSTEM) or is larger, which is checked before reading it. */
+char *textfile_read_bytes(const char *path, enum textfile_bytes most, size_t *n,
+    struct error_list *errors);
 
 /* Returns the bytes as UTF-8 with composed letters (encoding.h), without a byte
  * order mark; the caller frees the text.  *note gets what to check if the
@@ -29,13 +36,7 @@ char *textfile_read_bytes(
 char *textfile_decode(const char *path, const char *bytes, size_t n,
     const char **note, struct error_list *errors);
 
-/* Reads and decodes a file of at most `most` bytes, as textfile_read_bytes and
- * textfile_decode do.  TEXTFILE_SHEET: a user's sheet; TEXTFILE_OWN: a file
- * that the program itself may have written. */
-enum textfile_bytes {
-	TEXTFILE_SHEET = 10 * 1000 * 1000,
-	TEXTFILE_OWN = 1000 * 1000 * 1000
-};
+/* Reads and decodes a file, as textfile_read_bytes and textfile_decode do. */
 char *textfile_read(
     const char *path, enum textfile_bytes most, struct error_list *errors);
 

@@ -147,8 +147,8 @@ answer_resume_table_for_people(struct answer *a)
 	a->filled = &a->table[0];
 }
 
-static void
-append_answer_column(
+void
+answer_add_optional_column(
     struct answer *a, const char *key, const char *head, int spare)
 {
 	struct table *t = a->filled;
@@ -164,14 +164,7 @@ append_answer_column(
 void
 answer_add_column(struct answer *a, const char *key, const char *head)
 {
-	append_answer_column(a, key, tr(head), 0);
-}
-
-void
-answer_add_optional_column(
-    struct answer *a, const char *key, const char *head, int spare)
-{
-	append_answer_column(a, key, head, spare);
+	answer_add_optional_column(a, key, tr(head), 0);
 }
 
 void
@@ -953,7 +946,7 @@ copy_shown_columns(char *(*way)(const char *), const struct table *from,
 	for (size_t c = 0; c < from->n_column; c++) {
 		FREED char *head = way(from->head[c]);
 		if (shown == NULL || shown[c])
-			append_answer_column(
+			answer_add_optional_column(
 			    copy, from->key[c], head, from->spare[c]);
 		else
 			xappend_to_list(&left_out, ", ", "%s", head);

@@ -92,7 +92,6 @@ void answer_resume_table_for_people(struct answer *answer);
 void answer_add_cells(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Adds one cell of text. */
 void answer_add_text_cell(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

@@ -34,11 +34,9 @@ struct book {
 
 /* Opens a temporary file without a name.  Returns -1 on failure. */
 static int
-open_temporary_file(void)
+open_temporary_file(const char *folder)
 {
-	const char *folder = getenv("TMPDIR");
-	FREED char *path = xasprintf("%s/tipspeed-XXXXXX",
-	    folder != NULL && folder[0] != '\0' ? folder : "/tmp");
+	FREED char *path = xasprintf("%s/tipspeed-XXXXXX", folder);
 	int fd = mkstemp(path);
 	if (fd >= 0)
 		unlink(path);
@@ -84,7 +82,10 @@ add_all_cell_formats(struct book *b)
 struct book *
 book_new(struct error *error)
 {
-	int fd = open_temporary_file();
+	const char *set = getenv("TMPDIR");
+	FREED char *folder =
+	    xstrdup(set != NULL && set[0] != '\0' ? set : "/tmp");
+	int fd = open_temporary_file(folder);
 	if (fd < 0) {
 		error_set(error, ERROR_SYSTEM,
 		    "cannot make a temporary file: %s\n"
@@ -93,11 +94,8 @@ book_new(struct error *error)
 		return NULL;
 	}
 	struct book *b = xcalloc(1, sizeof *b);
-	const char *folder = getenv("TMPDIR");
 	FREED char *path = xasprintf("/dev/fd/%d", fd);
-	FREED char *parts = xstrdup(folder != NULL ? folder : "");
-	lxw_workbook_options options = {
-	    .tmpdir = parts[0] != '\0' ? parts : NULL};
+	lxw_workbook_options options = {.tmpdir = folder};
 	/* 2000-01-01 instead of now, so that the same results give the same
 	 * bytes. */
 	lxw_doc_properties properties = {.created = 946684800};
@@ -158,29 +156,29 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
 }
 
-/* True if a cell in a column of sieves is a sieve, whose size *value gets.
- * There are also rows such as "P80 mm". */
-static bool
-book_parse_sieve_cell(
-    const char *head, const struct answer_cell *cell, double *value)
+/* Returns the number in a cell, or the size if it is a sieve in a column of
+ * them, where there are also rows such as "P80 mm"; NAN if it is neither. */
+static double
+book_number_of_cell(const char *head, const struct answer_cell *cell)
 {
-	return strncmp(head, "sieve", 5) == 0 && cell->is_text &&
-	       text_parse_number(cell->text, value);
+	double value = cell->number;
+	if (cell->is_text && strncmp(head, "sieve", 5) == 0)
+		text_parse_number(cell->text, &value);
+	return value;
 }
 
 static void
 book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
     const char *head, const struct answer_cell *cell)
 {
-	double value = cell->number;
+	double value = book_number_of_cell(head, cell);
 	char text[32];
 	bool fixed = cell->decimals >= 0 && cell->decimals < DECIMALS;
 	/* As in csv: 93.6, not 93.59999999999999. */
 	if (!cell->is_text && isfinite(value))
 		text_parse_number(
 		    text_shortest_exact_number(value, text), &value);
-	if (book_parse_sieve_cell(head, cell, &value) ||
-	    (!cell->is_text && isfinite(value)))
+	if (isfinite(value))
 		worksheet_write_number(p->sheet, p->row, column, value,
 		    fixed ? b->number[cell->decimals] : NULL);
 	else if (strcmp(cell->text, "-") != 0)
@@ -207,14 +205,12 @@ static size_t
 count_sieve_rows(const struct answer_view *v)
 {
 	size_t n = 0;
-	double mm;
 	if (v->n_column < 2 || strncmp(v->head[0], "sieve", 5) != 0)
 		return 0;
 	for (; n < v->n_row; n++) {
 		const struct answer_cell *cell = &v->cell[n * v->n_column];
-		mm = cell->number;
-		if (!book_parse_sieve_cell(v->head[0], cell, &mm) &&
-		    !(!cell->is_text && mm > 0))
+		double mm = book_number_of_cell(v->head[0], cell);
+		if (isnan(mm) || (!cell->is_text && !(mm > 0)))
 			break;
 	}
 	return n;
@@ -245,11 +241,10 @@ is_answer_column_a_curve(
 static void
 set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 {
-	double least = INFINITY, most = 0, mm;
+	double least = INFINITY, most = 0;
 	for (size_t i = 0; i < rows; i++) {
-		const struct answer_cell *cell = &v->cell[i * v->n_column];
-		mm = cell->number;
-		book_parse_sieve_cell(v->head[0], cell, &mm);
+		double mm =
+		    book_number_of_cell(v->head[0], &v->cell[i * v->n_column]);
 		least = fmin(least, mm);
 		most = fmax(most, mm);
 	}
@@ -458,8 +453,7 @@ read_whole_file(int fd, size_t *n)
 		if (got > 0) {
 			*n += (size_t)got;
 		} else if (got == 0 || errno != EINTR) {
-			free(bytes);
-			bytes = NULL;
+			xfree_and_set(&bytes, NULL);
 		}
 	}
 	return bytes;

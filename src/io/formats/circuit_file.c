@@ -167,7 +167,6 @@ parse_speed_in_rpm(
 		*speed = site_speed_from_rpm(r->site, rpm, rotor);
 }
 
-/* Reads one cell key=value. */
 static void
 parse_circuit_unit_key(
     struct reading_circuit *r, struct unit *unit, struct cell cell)
@@ -197,16 +196,9 @@ parse_circuit_unit_key(
 	    "the end of the line, or a setting", "%s", tr(HINTS[unit->kind]));
 }
 
-static void
-parse_circuit_unit_keys(struct reading_circuit *r, struct unit *unit,
-    const struct row *row, size_t from)
-{
-	for (size_t i = from; i < row->n; i++)
-		if (row->cell[i].text[0] != '\0')
-			parse_circuit_unit_key(r, unit, row->cell[i]);
-}
-
-static void
+/* Functions that read a row return the place in it from which settings may
+ * follow. */
+static size_t
 parse_circuit_feed_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
@@ -217,19 +209,19 @@ parse_circuit_feed_row(
 	    parse_number_between(
 		r, tph, tr("a feed above 0, up to 1e5 t/h"), 1e-3, 1e5, &value))
 		r->circuit->tph = value;
-	parse_circuit_unit_keys(r, unit, row, 3);
+	return 3;
 }
 
-static void
+static size_t
 parse_circuit_crusher_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	parse_input_streams(r, unit, row_cell_at(row, 1));
 	add_stream_to_unit(r, unit, row_cell_at(row, 2), true);
-	parse_circuit_unit_keys(r, unit, row, 3);
+	return 3;
 }
 
-static void
+static size_t
 parse_circuit_screen_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
@@ -240,7 +232,7 @@ parse_circuit_screen_row(
 	unit->opening = mm / 1000;
 	add_stream_to_unit(r, unit, row_cell_at(row, 3), true);
 	add_stream_to_unit(r, unit, row_cell_at(row, 4), true);
-	parse_circuit_unit_keys(r, unit, row, 5);
+	return 5;
 }
 
 /* Reads an output of a split, "a=60", or "a", which takes the rest.  Returns
@@ -265,7 +257,7 @@ parse_split_output(
 	return share;
 }
 
-static void
+static size_t
 parse_circuit_split_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
@@ -277,7 +269,7 @@ parse_circuit_split_row(
 		sheet_report_fault(r->sheet, row->cell[0],
 		    "expected a split into 2 to %d streams, got %zu\n%s",
 		    (int)UNIT_STREAMS, n, tr(HINTS[UNIT_SPLIT]));
-		return;
+		return row->n;
 	}
 	for (size_t i = 0; i < n; i++) {
 		double share = parse_split_output(r, unit, row->cell[i + 2]);
@@ -298,9 +290,10 @@ parse_circuit_split_row(
 		unit->share[i] = isnan(unit->share[i]) ? fmax(1 - sum, 0)
 				 : open == 0           ? unit->share[i] / sum
 						       : unit->share[i];
+	return row->n;
 }
 
-static void
+static size_t
 parse_circuit_stockpile_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
@@ -309,13 +302,13 @@ parse_circuit_stockpile_row(
 	xfree_and_set(&unit->name,
 	    xstrdup(name.text[0] != '\0' && !key ? name.text : from.text));
 	parse_input_streams(r, unit, from);
-	parse_circuit_unit_keys(r, unit, row, key ? 2 : 3);
+	return key ? 2 : 3;
 }
 
 static void
 parse_circuit_unit_row(struct reading_circuit *r, const struct row *row)
 {
-	static void (*const READ[UNIT_KINDS])(struct reading_circuit *,
+	static size_t (*const READ[UNIT_KINDS])(struct reading_circuit *,
 	    struct unit *, const struct row *) = {parse_circuit_feed_row,
 	    parse_circuit_crusher_row, parse_circuit_screen_row,
 	    parse_circuit_split_row, parse_circuit_stockpile_row};
@@ -338,7 +331,9 @@ parse_circuit_unit_row(struct reading_circuit *r, const struct row *row)
 			return;
 		}
 		r->row[r->circuit->n_unit - 1] = word;
-		READ[k](r, unit, row);
+		for (size_t i = READ[k](r, unit, row); i < row->n; i++)
+			if (row->cell[i].text[0] != '\0')
+				parse_circuit_unit_key(r, unit, row->cell[i]);
 		return;
 	}
 	sheet_report_expected(r->sheet, word,
@@ -369,13 +364,12 @@ static void
 check_exactly_one_feed(struct reading_circuit *r)
 {
 	size_t feeds = 0;
-	struct row none = {.line = 1, .end = 1};
-	struct cell second = {0};
+	struct cell start = {.line = 1, .column = 1}, second = start;
 	for (size_t u = 0; u < r->circuit->n_unit; u++)
 		if (r->circuit->unit[u].kind == UNIT_FEED && feeds++ == 1)
 			second = r->row[u];
 	if (feeds == 0 && !r->sheet->lost)
-		sheet_report_fault(r->sheet, row_cell_at(&none, 0),
+		sheet_report_fault(r->sheet, start,
 		    "expected a line that begins with feed, got none\n%s",
 		    tr(HINTS[UNIT_FEED]));
 	if (feeds > 1)

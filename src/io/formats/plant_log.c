@@ -68,8 +68,7 @@ enum kind { NO_KIND = LOG_COLUMNS, LEFT_OUT, TIME };
 /* A log being read.  first: the first row of data.  date, clock: the columns of
  * dates and times of day, which may be the same.  kind, head [n_column]: what
  * each column contains, and its heading; scale: the factor of its numbers to
- * the unit of LOG_UNITS.  told: the user gave the columns.  zone: some times
- * have a time zone. */
+ * the unit of LOG_UNITS.  zone: some times have a time zone. */
 struct reading {
 	const struct log_request *request;
 	struct error_list *errors;
@@ -80,7 +79,7 @@ struct reading {
 	struct head head[MOST_COLUMNS];
 	double scale[MOST_COLUMNS];
 	enum datetime_order order;
-	bool told, zone;
+	bool zone;
 };
 
 static bool
@@ -252,7 +251,6 @@ parse_columns_option(struct reading *r, const char *columns)
 		    "for instance: columns=\"1=time, 2=rpm, 3=kW, 4=t/h\"",
 		    columns);
 	free(copy);
-	r->told = true;
 	return good;
 }
 
@@ -271,7 +269,7 @@ choose_rotor_column_of_kind(struct reading *r, unsigned kind)
 		rotors += named;
 		rotor = named ? c : rotor;
 	}
-	if (n < 2 || r->told)
+	if (n < 2 || r->request->columns != NULL)
 		return true;
 	if (rotors == 1) {
 		for (size_t c = 0; c < r->n_column; c++)
@@ -332,10 +330,9 @@ plant_log_find_column_kinds(struct reading *r)
 	const char *columns = r->request->columns;
 	if (columns != NULL && !parse_columns_option(r, columns))
 		return false;
-	bool good = true, speed = false, any = false;
+	bool good = true, any = false;
 	for (size_t c = 0; c < r->n_column && good; c++) {
 		good = guess_speed_unit_by_magnitude(r, c);
-		speed = speed || r->kind[c] == LOG_SPEED;
 		any = any || r->kind[c] < LOG_COLUMNS;
 	}
 	for (unsigned k = 0; k < LOG_COLUMNS && good; k++)
@@ -463,23 +460,23 @@ refuse_ambiguous_numbers(struct reading *r)
 static void
 describe_plant_log_columns(struct reading *r)
 {
-	FREED char *text = xasprintf(tr("time in column %zu"), r->date + 1);
+	char **text = &r->log->read_as;
+	if (*text[0] != '\0')
+		return;
+	xappend(text, tr("time in column %zu"), r->date + 1);
 	if (r->clock != r->date)
-		xappend(&text, tr(" and %zu"), r->clock + 1);
+		xappend(text, tr(" and %zu"), r->clock + 1);
 	for (size_t k = 0; k < LOG_COLUMNS; k++)
 		for (size_t c = 0; c < r->n_column; c++)
 			if (r->kind[c] == k) {
-				xappend_to_list(&text, ", ", tr("%s in %zu"),
+				xappend_to_list(text, ", ", tr("%s in %zu"),
 				    LOG_UNITS[k], c + 1);
 				if (r->scale[c] != 1)
-					xappend(
-					    &text, " (* %.4g)", r->scale[c]);
+					xappend(text, " (* %.4g)", r->scale[c]);
 			}
 	for (size_t c = 0; c < r->n_column; c++)
 		if (r->kind[c] == LEFT_OUT)
-			xappend(&text, tr(", not column %zu"), c + 1);
-	if (r->log->read_as[0] == '\0')
-		xappend(&r->log->read_as, "%s", text);
+			xappend(text, tr(", not column %zu"), c + 1);
 }
 
 /* Reads a sheet.  Returns false with a fault, also if it has no times. */
@@ -488,13 +485,10 @@ plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 {
 	r->sheet = sheet;
 	r->n_column = r->first = r->date = r->clock = 0;
-	r->told = false;
 	if (r->request->decimal != '\0')
 		number_set_decimal_sign(sheet, r->request->decimal);
-	if (!find_time_columns(r))
-		return false;
-	if (!plant_log_find_column_kinds(r) || !find_day_month_order(r, open) ||
-	    !refuse_ambiguous_numbers(r))
+	if (!find_time_columns(r) || !plant_log_find_column_kinds(r) ||
+	    !find_day_month_order(r, open) || !refuse_ambiguous_numbers(r))
 		return false;
 	plant_log_read_rows(r);
 	describe_plant_log_columns(r);

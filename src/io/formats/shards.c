@@ -212,11 +212,9 @@ compare_part_rows(const void *a, const void *b)
 bool
 parts_check_and_sort(struct parts *parts, struct error *error)
 {
-	for (size_t k = 0; k < parts->n; k++) {
-		const struct part_file *part = &parts->part[k];
-		if (!check_parts_alike(&parts->part[0], part, error))
+	for (size_t k = 0; k < parts->n; k++)
+		if (!check_parts_alike(&parts->part[0], &parts->part[k], error))
 			return false;
-	}
 	if (parts->n_row > 1)
 		qsort(parts->row, parts->n_row, sizeof *parts->row,
 		    compare_part_rows);

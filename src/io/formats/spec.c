@@ -76,9 +76,8 @@ read_spec_key_lines(
 }
 
 /* Reads the keys in the lines immediately above the table, which look like its
- * headings if a value has numbers, "cut,0/4".  Returns false with a fault if a
- * key is unknown. */
-static bool
+ * headings if a value has numbers, "cut,0/4".  Reports an unknown key. */
+static void
 read_keys_above_table(
     struct spec *spec, struct sheet *sheet, const struct table *t)
 {
@@ -87,12 +86,11 @@ read_keys_above_table(
 		if (row->n == 2 && spec_parse_key_value(spec, sheet,
 				       row->cell[0], row_cell_at(row, 1)))
 			continue;
-		return sheet_report_expected(sheet,
-		    t->head[0].cell[t->n_col - 1],
+		sheet_report_expected(sheet, t->head[0].cell[t->n_col - 1],
 		    "the end of the line after key and value",
 		    "quote a value that contains the separator");
+		return;
 	}
-	return true;
 }
 
 /* Returns the index in HEADS of what a heading such as max_pct, "Max %" or

@@ -210,7 +210,6 @@ score_word_match(const char *name, const char *word)
 	return best;
 }
 
-/* Returns the smallest score_word_match of the words. */
 static int
 lowest_word_match_score(const char *name, const char *words)
 {
@@ -275,8 +274,7 @@ standards_mark_envelopes_named(
 	}
 	for (size_t i = 0; i < all->n; i++)
 		n += match[i] = in[i] >= (full > 0 ? 2 : 1);
-	n = n > 1 ? unmark_all_but_base_envelope(all, folded, match, n) : n;
-	return n;
+	return n > 1 ? unmark_all_but_base_envelope(all, folded, match, n) : n;
 }
 
 static const char *

@@ -40,8 +40,7 @@ autosave_file_close(struct autosave_file *kept)
 	if (kept->fd >= 0)
 		close(kept->fd);
 	kept->fd = -1;
-	free(kept->path);
-	kept->path = NULL;
+	xfree_and_set(&kept->path, NULL);
 }
 
 void
@@ -159,9 +158,8 @@ make_autosave_file(struct autosave_file *kept, struct error *error)
 		strftime(day, sizeof day, "%Y%m%d-%H%M%S", localtime(&now));
 		snprintf(name, sizeof name, "session-%s-%ld.tip", day,
 		    (long)getpid());
-		free(kept->path);
-		kept->path =
-		    xdg_user_file_path("XDG_STATE_HOME", ".local/state", name);
+		xfree_and_set(&kept->path,
+		    xdg_user_file_path("XDG_STATE_HOME", ".local/state", name));
 		if (kept->path == NULL)
 			return error_set(
 			    error, ERROR_SYSTEM, "HOME is not set");

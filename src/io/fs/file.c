@@ -167,8 +167,7 @@ open_new_locked_file(const char *folder, mode_t rights, char **name)
 		int reason = errno;
 		if (fd >= 0)
 			close(fd);
-		free(*name);
-		*name = NULL;
+		xfree_and_set(name, NULL);
 		if (fd < 0 && reason != EEXIST && reason != EINTR) {
 			errno = reason;
 			return -1;

@@ -83,8 +83,7 @@ parse_day_in_cell(
 	char **slot = whole && label == DAY_SAMPLED ? stated : other;
 	if (*slot != NULL && strcmp(*slot, day) != 0)
 		day[0] = '\0';
-	free(*slot);
-	*slot = day;
+	xfree_and_set(slot, day);
 }
 
 char *

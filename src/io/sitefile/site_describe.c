@@ -59,8 +59,7 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 			    before->role == SD
 				? tr("percentage points")
 				: tr(SITE_UNITS[before->unit].words));
-			free(roles);
-			roles = xstrdup("");
+			xfree_and_set(&roles, xstrdup(""));
 			n = 0;
 			before = NULL;
 		}
@@ -166,10 +165,9 @@ site_describe_columns(struct table *const *table, size_t n_table,
 		      !t->finest_first &&
 		      strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
 	}
-	if (!own) {
-		free(site->read_as);
-		site->read_as = describe_tables(table, n_table, all);
-	}
+	if (!own)
+		xfree_and_set(
+		    &site->read_as, describe_tables(table, n_table, all));
 	for (size_t i = 0; i < all->n; i++) {
 		const char *assumed = all->column[i].assumed;
 		FREED char *notes = xstrdup(assumed != NULL ? assumed : "");

@@ -49,8 +49,7 @@ site_heading_set_site_field(struct site *site, enum lexicon_key key,
 			       "'%.*s' and '%.*s'"),
 			    sheet_truncated_text_length(before), before,
 			    sheet_truncated_text_length(cell.text), cell.text);
-		free(*text[key]);
-		*text[key] = xstrdup(cell.text);
+		xfree_and_set(text[key], xstrdup(cell.text));
 		return other;
 	}
 	double mm = site_sieve_read_mm(sheet, cell, 1, "a positive size in mm");

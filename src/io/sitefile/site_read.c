@@ -702,8 +702,7 @@ note_mm_of_named_sieves(struct reading *r)
 		}
 		if (named[0] != '\0' && strcmp(named, before) != 0)
 			xappend_to_list(&r->site->named, ", ", "%s", named);
-		free(before);
-		before = xstrdup(named);
+		xfree_and_set(&before, xstrdup(named));
 	}
 }
 
@@ -1289,25 +1288,22 @@ set_provenance_from_days(struct reading *r)
 		day = title_find_day(r->page[p].layout, NULL, day, &differ);
 	if (days == NULL && (day == NULL || differ))
 		return;
-	free(r->site->provenance);
-	r->site->provenance =
-	    xasprintf("sheet of %s", days != NULL ? days : day);
+	xfree_and_set(&r->site->provenance,
+	    xasprintf("sheet of %s", days != NULL ? days : day));
 }
 
 static struct site *
 finish_site_reading(struct reading *r)
 {
 	const struct site_request *q = r->request;
-	free(r->site->path);
-	r->site->path = xstrdup(q->path[0]);
+	xfree_and_set(&r->site->path, xstrdup(q->path[0]));
 	xappend_to_list(
 	    &r->site->part, " ", "%s", q->sheet != NULL ? q->sheet : "");
 	if (q->range != NULL)
 		xappend_to_list(&r->site->part, " ", "%s", q->range);
-	if (r->site->name[0] == '\0') {
-		free(r->site->name);
-		r->site->name = site_heading_name_from_path(q->path[0]);
-	}
+	if (r->site->name[0] == '\0')
+		xfree_and_set(
+		    &r->site->name, site_heading_name_from_path(q->path[0]));
 	r->site->told = q->columns != NULL || q->samples != NULL ||
 			q->rotor > 0 || q->decimal != '\0';
 	for (size_t i = 0; i < q->n && q->speed != NULL; i++)

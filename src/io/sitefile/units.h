@@ -9,7 +9,6 @@
 #define SIZE_MOST_MM 1e4
 
 #include <math.h>
-#include <stdbool.h>
 
 /* Converts a size from m to mm.  A size from a sheet comes back as the number
  * in the sheet (0.063, not 0.063000000000000000001), exact to 1e-9 mm. */

@@ -274,7 +274,10 @@ store_csv_read_file(const char *path, const struct material_list *there,
 	FREED char *text = textfile_read(path, TEXTFILE_OWN, errors);
 	if (text == NULL)
 		return false;
-	struct sheet *sheet = sheet_new_without_line_limit(path, text, errors);
+	/* The program itself may have written lines of any length. */
+	size_t room = strlen(text) + 1;
+	const struct sheet_limits most = {.rows = room, .bytes = room};
+	struct sheet *sheet = sheet_new_from_text(path, text, most, errors);
 	number_detect_decimal_sign(sheet);
 	struct column column[COLUMNS];
 	FREED bool *all = xcalloc(breakage_count_models(), sizeof *all);

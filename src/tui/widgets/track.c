@@ -439,9 +439,8 @@ move_slider_to_best_speed(struct tui *t)
 	tui_set_slider_speed(t, best);
 	t->keep_message = true;
 	/* The next prediction shows its own command, and not the one before. */
-	if (tui_slider_speed(t) != from) {
+	if (tui_slider_speed(t) != from)
 		xfree_and_set(&t->command, NULL);
-	}
 	FREED char *rpm =
 	    rotor_speed_rpm_text(tui_rotor_diameter(t), best, NAN);
 	if (g->missed != NULL)
