@@ -296,7 +296,7 @@ set_site_field(struct site *site, struct sheet *sheet, enum lexicon_key k,
 {
 	const char *known[N_KEY] = {
 	    site->name, site->rock, site->machine, site->provenance};
-	double mm;
+	double mm = 0;
 	bool same = k == KEY_TOP_SIZE
 			? number_value_of_cell(value, &mm) &&
 			      mm / 1000 == site->top_size
