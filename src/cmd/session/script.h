@@ -45,8 +45,8 @@ bool script_set_error_long_line(
     const char *name, int line, struct error *error);
 
 /* Removes the line break from a line and those before it that it continues.
- * Returns true if the next one continues it, because it ends in \, which becomes
- * a space.  A comment does not continue. */
+ * Returns true if it ends in \, which becomes a space, and the next one
+ * continues it.  A comment does not continue. */
 bool script_remove_line_end(char *line);
 
 #endif
