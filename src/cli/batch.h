@@ -3,7 +3,6 @@
 #ifndef TIPSPEED_CLI_BATCH_H
 #define TIPSPEED_CLI_BATCH_H
 
-
 #include "cmd/session/session.h"
 #include "cli/pager.h"
 
