@@ -209,7 +209,10 @@ static bool
 set_no_near_log_row_error(const struct plant_log *log, double time,
     double within, struct error *error)
 {
-	double near = log->time[plant_log_row_nearest_time(log, time)];
+	double near = log->time[0];
+	for (size_t i = 1; i < log->n; i++)
+		if (fabs(log->time[i] - time) < fabs(near - time))
+			near = log->time[i];
 	FREED char *at = datetime_to_text(time),
 		   *nearest = datetime_to_text(near);
 	FREED char *span = time_range_text(log->time[0], log->time[log->n - 1]);

@@ -108,11 +108,9 @@ parse_rest_of_numeric_date(
 	m->plain = sign == '.' || first == second || two;
 	bool day_first = is_valid_date(m->year, second, first);
 	bool month_first = is_valid_date(m->year, first, second) && !m->plain;
-	if (day_first && month_first)
-		m->order = DATETIME_OPEN;
-	else
-		m->order =
-		    day_first ? DATETIME_DAY_FIRST : DATETIME_MONTH_FIRST;
+	m->order = !day_first    ? DATETIME_MONTH_FIRST
+		   : month_first ? DATETIME_OPEN
+				 : DATETIME_DAY_FIRST;
 	return n == 4 && (day_first || month_first);
 }
 

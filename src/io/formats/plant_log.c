@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/formats/plant_log.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -87,10 +86,8 @@ plant_log_text_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
 	FREED char *folded = text_fold_case_and_accents(text);
-	const char *phrase = words == RATE    ? "feed rate"
-			     : words == SHORT ? "short t"
-					      : NULL;
-	bool found = phrase != NULL && strstr(folded, phrase) != NULL;
+	bool found = (words == RATE && strstr(folded, "feed rate") != NULL) ||
+		     (words == SHORT && strstr(folded, "short t") != NULL);
 	char *next = NULL;
 	size_t which;
 	for (char *word = strtok_r(folded, BREAKS, &next);
@@ -126,9 +123,8 @@ plant_log_kind_of_heading(
 	bool rate = unit || plant_log_text_has_word(text, RATE);
 	bool power = plant_log_text_has_word(text, POWER);
 	const char *per = strchr(text, '/');
-	/* "m3/h" */
-	bool other = !unit && per > text && isalnum((unsigned char)per[-1]) &&
-		     isalpha((unsigned char)per[1]);
+	bool other = !unit && per > text && per[-1] != ' ' &&
+		     strcspn(per + 1, " 0123456789") > 0;
 	if (plant_log_text_has_word(text, OTHER) || (rate && other) ||
 	    (!rate && plant_log_text_has_word(text, MACHINE)))
 		return rate || power ? LEFT_OUT : NO_KIND;
@@ -161,14 +157,13 @@ static bool
 find_time_columns(struct reading *r)
 {
 	size_t dates[MOST_COLUMNS] = {0}, clocks[MOST_COLUMNS] = {0}, full = 0;
-	size_t n = r->sheet->n_row;
+	size_t n = r->sheet->n_row < LOOKED_AT ? r->sheet->n_row : LOOKED_AT;
 	struct datetime m;
-	n = n < LOOKED_AT ? n : LOOKED_AT;
 	for (size_t i = 0; i < n; i++)
 		for (size_t c = 0; c < r->sheet->row[i].n; c++)
 			if (parse_date_or_time_cell(r, i, c, &m)) {
-				r->n_column =
-				    c + 1 > r->n_column ? c + 1 : r->n_column;
+				if (r->sheet->row[i].n > r->n_column)
+					r->n_column = r->sheet->row[i].n;
 				dates[c] += m.has_date;
 				clocks[c] += !m.has_date;
 			}
@@ -180,13 +175,9 @@ find_time_columns(struct reading *r)
 		if (parse_date_or_time_cell(r, r->first, r->date, &m) &&
 		    m.has_date)
 			break;
-	for (size_t i = r->first; i < n; i++) {
+	for (size_t i = r->first; i < n; i++)
 		full +=
 		    parse_date_or_time_cell(r, i, r->date, &m) && m.has_time;
-		r->n_column = r->sheet->row[i].n > r->n_column
-				  ? r->sheet->row[i].n
-				  : r->n_column;
-	}
 	if (full > 0)
 		r->clock = r->date;
 	struct cell top = {.line = 1, .column = 1, .text = NULL};
@@ -229,28 +220,28 @@ static bool
 parse_columns_option(struct reading *r, const char *columns)
 {
 	bool good = true;
-	char *copy = xstrdup(columns), *save = NULL;
+	FREED char *copy = xstrdup(columns);
+	char *save = NULL;
 	for (size_t c = 0; c < r->n_column; c++)
 		r->kind[c] = NO_KIND;
 	for (char *part = strtok_r(copy, ",", &save); part != NULL && good;
 	     part = strtok_r(NULL, ",", &save)) {
 		char *end;
 		unsigned long number = strtoul(part, &end, 10);
-		good = number > 0 && number <= r->n_column && *end == '=';
+		size_t c = number - 1;
+		good = c < r->n_column && *end == '=';
 		if (!good)
 			break;
-		r->head[number - 1] = heading_parse(end + 1);
-		r->kind[number - 1] = plant_log_kind_of_heading(
-		    end + 1, &r->head[number - 1], &r->scale[number - 1]);
-		good = r->kind[number - 1] < NO_KIND ||
-		       r->kind[number - 1] == TIME;
+		r->head[c] = heading_parse(end + 1);
+		r->kind[c] = plant_log_kind_of_heading(
+		    end + 1, &r->head[c], &r->scale[c]);
+		good = r->kind[c] < LOG_COLUMNS || r->kind[c] == TIME;
 	}
 	if (!good)
 		error_set(error_list_add_item(r->errors), ERROR_USAGE,
 		    "expected NUMBER=WHAT in columns, got '%s'\n"
 		    "for instance: columns=\"1=time, 2=rpm, 3=kW, 4=t/h\"",
 		    columns);
-	free(copy);
 	return good;
 }
 
@@ -259,24 +250,20 @@ parse_columns_option(struct reading *r, const char *columns)
 static bool
 choose_rotor_column_of_kind(struct reading *r, unsigned kind)
 {
-	size_t n = 0, rotors = 0, last = 0, rotor = 0;
+	size_t n = 0, rotors = 0, last = 0;
 	for (size_t c = 0; c < r->n_column; c++) {
 		if (r->kind[c] != kind)
 			continue;
-		bool named = (r->head[c].means & WORD_ROTOR) != 0;
 		n++;
 		last = c;
-		rotors += named;
-		rotor = named ? c : rotor;
+		rotors += (r->head[c].means & WORD_ROTOR) != 0;
 	}
-	if (n < 2 || r->request->columns != NULL)
+	bool told = r->request->columns != NULL;
+	for (size_t c = 0; c < r->n_column && rotors == 1 && !told; c++)
+		if (r->kind[c] == kind && (r->head[c].means & WORD_ROTOR) == 0)
+			r->kind[c] = NO_KIND;
+	if (n < 2 || told || rotors == 1)
 		return true;
-	if (rotors == 1) {
-		for (size_t c = 0; c < r->n_column; c++)
-			if (r->kind[c] == kind && c != rotor)
-				r->kind[c] = NO_KIND;
-		return true;
-	}
 	size_t head = r->first > 0 ? r->first - 1 : 0;
 	return sheet_report_fault(r->sheet,
 	    row_cell_at(&r->sheet->row[head], last),
@@ -503,11 +490,9 @@ plant_log_read_file(struct reading *r, const char *path, bool *open)
 	size_t taken = 0;
 	for (size_t i = 0; i < source.n && good; i++) {
 		const char *wanted = r->request->sheet;
-		if (wanted != NULL &&
-		    !text_is_same_folded(source.sheet[i]->name, wanted))
-			continue;
-		if (wanted == NULL && source.n > 1 &&
-		    source.sheet[i]->n_row < 2)
+		if (wanted == NULL
+			? source.n > 1 && source.sheet[i]->n_row < 2
+			: !text_is_same_folded(source.sheet[i]->name, wanted))
 			continue;
 		good = plant_log_read_sheet(r, source.sheet[i], open);
 		taken++;
@@ -558,10 +543,8 @@ plant_log_sort_rows(struct plant_log *log)
 static double
 plant_log_median(double *value, size_t n)
 {
-	if (n == 0)
-		return NAN;
 	gsl_sort(value, 1, n);
-	return (value[(n - 1) / 2] + value[n / 2]) / 2;
+	return n > 0 ? (value[(n - 1) / 2] + value[n / 2]) / 2 : NAN;
 }
 
 /* Sorts the rows, computes what concerns all of them, and drops columns without
@@ -664,14 +647,4 @@ plant_log_summarise_window(const struct plant_log *log, double from, double to)
 		w.most[k] = n > 0 ? value[n - 1] : NAN;
 	}
 	return w;
-}
-
-size_t
-plant_log_row_nearest_time(const struct plant_log *log, double time)
-{
-	size_t best = 0;
-	for (size_t i = 1; i < log->n; i++)
-		if (fabs(log->time[i] - time) < fabs(log->time[best] - time))
-			best = i;
-	return best;
 }

@@ -58,7 +58,4 @@ struct log_window {
 struct log_window plant_log_summarise_window(
     const struct plant_log *log, double from, double to);
 
-/* Returns the index of the row nearest to a time. */
-size_t plant_log_row_nearest_time(const struct plant_log *log, double time);
-
 #endif

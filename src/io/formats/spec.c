@@ -76,21 +76,20 @@ read_spec_key_lines(
 }
 
 /* Reads the keys in the lines immediately above the table, which look like its
- * headings if a value has numbers, "cut,0/4".  Reports an unknown key. */
+ * headings if a value has numbers, "cut,0/4", up to one that is unknown. */
 static void
 read_keys_above_table(
     struct spec *spec, struct sheet *sheet, const struct table *t)
 {
-	for (size_t i = 0; i < t->titles; i++) {
-		const struct row *row = &t->head[i];
-		if (row->n == 2 && spec_parse_key_value(spec, sheet,
-				       row->cell[0], row_cell_at(row, 1)))
-			continue;
+	size_t i = 0;
+	while (i < t->titles && t->head[i].n == 2 &&
+	       spec_parse_key_value(spec, sheet, t->head[i].cell[0],
+		   row_cell_at(&t->head[i], 1)))
+		i++;
+	if (i < t->titles)
 		sheet_report_expected(sheet, t->head[0].cell[t->n_col - 1],
 		    "the end of the line after key and value",
 		    "quote a value that contains the separator");
-		return;
-	}
 }
 
 /* Returns the index in HEADS of what a heading such as max_pct, "Max %" or

@@ -114,11 +114,10 @@ site_day_of_sample(const struct table *t, size_t c)
 static bool
 has_word_like_date(const char *heading)
 {
-	static const char DIGITS[] = "0123456789";
 	for (const char *p = heading; *p != '\0'; p += *p != '\0') {
 		char sign[4] = "";
 		size_t parts = 0, n;
-		while ((n = strspn(p, DIGITS)) > 0) {
+		while ((n = strspn(p, "0123456789")) > 0) {
 			parts += n < 5;
 			p += n;
 			if (*p == '\0' || strchr("./-", *p) == NULL)
