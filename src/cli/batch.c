@@ -196,8 +196,10 @@ batch_run_typed_lines(struct session *s)
 	batch_make_session_interactive(s);
 	for (int number = 1; !s->quit; signals_clear_interrupt()) {
 		print_prompt(s, n > 0);
+		size_t from = n;
 		enum text_line got = text_read_line(&line, &n, &room, stdin);
-		bool more = got == TEXT_LINE && script_remove_line_end(line);
+		bool more =
+		    got == TEXT_LINE && script_remove_line_end(line, from);
 		if (got != TEXT_LINE)
 			fputc('\n', stderr);
 		if (got == TEXT_TOO_LONG) {
@@ -207,7 +209,7 @@ batch_run_typed_lines(struct session *s)
 		if (got != TEXT_LINE &&
 		    signals_get_ending_or_interrupt() != SIGINT)
 			break;
-		n = more ? strlen(line) : 0;
+		n = more ? from + strlen(line + from) : 0;
 		if (got == TEXT_END)
 			clearerr(stdin);
 		if (got == TEXT_LINE && !more)

@@ -299,7 +299,8 @@ run_entered_lines(struct session *s, char *typed, int *number)
 		if (end != NULL)
 			*end++ = '\0';
 		FREED char *joined = xasprintf("%s%s", prompt.before, line);
-		bool more = script_remove_line_end(joined);
+		bool more =
+		    script_remove_line_end(joined, strlen(prompt.before));
 		xfree_and_set(&prompt.before, xstrdup(more ? joined : ""));
 		if (!more && run_line_with_pager(s, joined, (*number)++) != 0 &&
 		    prompt.offer.line != NULL)

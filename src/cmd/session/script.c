@@ -48,15 +48,15 @@ static size_t
 count_script_commands(FILE *in)
 {
 	FREED char *line = NULL;
-	size_t n = 0, room = 0, commands = 0;
+	size_t n = 0, from = 0, room = 0, commands = 0;
 	long begin = ftell(in);
 	bool more = false;
 	if (begin < 0)
 		return 0;
 	while (text_read_line(&line, &n, &room, in) == TEXT_LINE) {
 		commands += !more && is_line_with_command(line);
-		more = script_remove_line_end(line);
-		n = more ? strlen(line) : 0;
+		more = script_remove_line_end(line, from);
+		n = from = more ? from + strlen(line + from) : 0;
 	}
 	return fseek(in, begin, SEEK_SET) == 0 ? commands : 0;
 }
@@ -115,13 +115,15 @@ script_close_to_depth(struct session *s, size_t depth)
 }
 
 bool
-script_remove_line_end(char *line)
+script_remove_line_end(char *line, size_t from)
 {
-	size_t n = strcspn(line, "\r\n");
-	line[n] = '\0';
-	bool more = n > 0 && line[n - 1] == '\\' && !words_end_in_comment(line);
+	char *last = line + from;
+	size_t n = strcspn(last, "\r\n");
+	last[n] = '\0';
+	bool more = n > 0 && last[n - 1] == '\\' &&
+		    (strchr(last, '#') == NULL || !words_end_in_comment(line));
 	if (more)
-		line[n - 1] = ' ';
+		last[n - 1] = ' ';
 	return more;
 }
 
@@ -166,8 +168,8 @@ read_continued_line(struct script *script, int *first, struct error *error)
 		if (!any)
 			*first = script->number;
 		any = true;
-		more = script_remove_line_end(line) && good;
-		n = from = strlen(line);
+		more = script_remove_line_end(line, from) && good;
+		n = from += strlen(line + from);
 	}
 	if (got == TEXT_TOO_LONG)
 		good = script_set_error_long_line(

@@ -44,9 +44,9 @@ void script_close_to_depth(struct session *s, size_t depth);
 bool script_set_error_long_line(
     const char *name, int line, struct error *error);
 
-/* Removes the line break from a line and those before it that it continues.
- * Returns true if it ends in \, which becomes a space, and the next one
- * continues it.  A comment does not continue. */
-bool script_remove_line_end(char *line);
+/* Removes the line break from a line, which begins at `from`, after those that
+ * it continues.  Returns true if it ends in \, which becomes a space, and the
+ * next one continues it.  A comment does not continue. */
+bool script_remove_line_end(char *line, size_t from);
 
 #endif
