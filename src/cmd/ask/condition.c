@@ -385,14 +385,14 @@ conditions_parse_list(const char *text, const struct fraction *fraction,
 }
 
 bool
-conditions_add_envelope(const struct spec *spec,
+conditions_add_envelope(const struct spec *spec, const char *cut,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error)
 {
 	struct fraction f = *fraction;
 	struct condition_list all = {0};
 	size_t n_sieve, before = list->n, unknown = 0;
-	if (!fraction_is_screened(&f)) {
+	if (cut == NULL) {
 		f.fine = spec->cut[0];
 		f.coarse = spec->cut[1];
 	}
@@ -434,8 +434,8 @@ conditions_add_envelope_option(struct session *s, const struct args *args,
 		return true;
 	const struct spec *spec =
 	    envelope_named_or_chosen(s, args->spec, error);
-	return spec != NULL && conditions_add_envelope(spec, &q->fraction,
-				   question_feed(q), list, error);
+	return spec != NULL && conditions_add_envelope(spec, args->cut,
+				   &q->fraction, question_feed(q), list, error);
 }
 
 void

@@ -34,8 +34,8 @@ bool conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
 /* Appends the limits of an envelope (envelope_limits_to_conditions) on a
- * fraction or, if that is the whole product, on the envelope's own fraction. */
-bool conditions_add_envelope(const struct spec *spec,
+ * fraction or, without a cut (the option), on the envelope's own fraction. */
+bool conditions_add_envelope(const struct spec *spec, const char *cut,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error);
 

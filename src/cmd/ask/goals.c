@@ -61,9 +61,9 @@ add_limits_of_named_envelope(struct session *s, const char *name,
 	const struct fraction whole = {.partition = PARTITION_IDEAL};
 	const struct spec *spec = envelope_named_or_chosen(s, name, error);
 	size_t i = list->n;
-	bool ok = spec != NULL &&
-		  (feed == NULL ||
-		      conditions_add_envelope(spec, &whole, feed, list, error));
+	bool ok =
+	    spec != NULL && (feed == NULL || conditions_add_envelope(spec, NULL,
+						 &whole, feed, list, error));
 	for (; ok && i < list->n; i++) {
 		struct condition *c = &list->at[i];
 		if (is_single_value_condition(c) && c->least > 0)
