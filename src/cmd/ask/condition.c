@@ -389,13 +389,9 @@ conditions_add_envelope(const struct spec *spec, const char *cut,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error)
 {
-	struct fraction f = *fraction;
+	const struct fraction f = envelope_fraction(spec, cut, fraction);
 	struct condition_list all = {0};
 	size_t n_sieve, before = list->n, unknown = 0;
-	if (cut == NULL) {
-		f.fine = spec->cut[0];
-		f.coarse = spec->cut[1];
-	}
 	bool modulus =
 	    envelope_limits_to_conditions(spec, &f, feed, &all, &n_sieve);
 	for (size_t i = 0; i < all.n; i++)

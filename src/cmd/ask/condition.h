@@ -33,8 +33,8 @@ bool conditions_parse_list(const char *text, const struct fraction *fraction,
 bool conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
-/* Appends the limits of an envelope (envelope_limits_to_conditions) on a
- * fraction or, without a cut (the option), on the envelope's own fraction. */
+/* Appends the limits of an envelope (envelope_limits_to_conditions) on its
+ * fraction (envelope_fraction). */
 bool conditions_add_envelope(const struct spec *spec, const char *cut,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error);

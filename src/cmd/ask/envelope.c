@@ -203,18 +203,26 @@ envelope_set_error_no_sieve(const struct spec *spec, struct error *error)
 	    spec->name);
 }
 
+struct fraction
+envelope_fraction(
+    const struct spec *spec, const char *cut, const struct fraction *asked)
+{
+	struct fraction f = *asked;
+	if (cut == NULL) {
+		f.fine = spec->cut[0];
+		f.coarse = spec->cut[1];
+	}
+	return f;
+}
+
 bool
 envelope_open_grading(const struct session *s, const char *cut,
     const struct spec *spec, const struct question *q, struct grading *g,
     struct error *error)
 {
 	*g = (struct grading){.spec = spec,
-	    .fraction = q->fraction,
+	    .fraction = envelope_fraction(spec, cut, &q->fraction),
 	    .modulus = fineness_modulus_of_sand_standard(spec)};
-	if (cut == NULL) {
-		g->fraction.fine = spec->cut[0];
-		g->fraction.coarse = spec->cut[1];
-	}
 	envelope_limits_to_conditions(
 	    spec, &g->fraction, question_feed(q), &g->limits, &g->n_sieve);
 	if (g->n_sieve == 0) {

@@ -46,8 +46,12 @@ struct grading {
 	struct conditions_search conditions;
 };
 
-/* Opens the comparison of the question's fraction with an envelope or, if cut,
- * the option of the call, is NULL, that of the envelope's own fraction. */
+/* Returns the fraction that an envelope's limits apply to: that of a question
+ * or, if cut, the option of the call, is NULL, the envelope's own. */
+struct fraction envelope_fraction(
+    const struct spec *spec, const char *cut, const struct fraction *asked);
+
+/* Opens the comparison of that fraction with an envelope. */
 bool envelope_open_grading(const struct session *s, const char *cut,
     const struct spec *spec, const struct question *q, struct grading *grading,
     struct error *error);
