@@ -578,6 +578,25 @@ parse_range_of_speeds(const struct command_option *option, char *word,
 	return true;
 }
 
+/* Adds the hint to a list or range that cannot be read.  Returns false. */
+static bool
+hint_list_format(
+    const struct command_option *option, const char *word, struct error *error)
+{
+	const char *comma = strchr(word, ','), *dots = strstr(word, "..");
+	if (comma != NULL && dots != NULL &&
+	    (comma < dots || strchr(word, ':') != NULL)) {
+		FREED char *points = xstrdup(word);
+		for (char *c = points; *c != '\0'; c++)
+			*c = *c == ',' ? '.' : *c;
+		error_set_hint(error, "use a decimal point: %s", points);
+	} else if (error->hint[0] == '\0' && strcmp(option->unit, "m/s") == 0) {
+		error_set_hint(
+		    error, "write a list, 65,74,85, or a range, 65..85:5");
+	}
+	return false;
+}
+
 static bool
 parse_list_of_numbers(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
@@ -601,25 +620,14 @@ parse_list_of_numbers(const struct command_option *option, const char *word,
 			part = comma != NULL ? comma + 1 : NULL;
 		}
 	}
-	const char *comma = strchr(word, ',');
-	bool typed = comma != NULL && dots != NULL &&
-		     (comma - word < dots - text || strchr(word, ':') != NULL);
-	if (!ok && typed) {
-		strcpy(text, word);
-		for (char *c = text; *c != '\0'; c++)
-			*c = *c == ',' ? '.' : *c;
-		error_set_hint(error, "use a decimal point: %s", text);
-	} else if (!ok && error->hint[0] == '\0' &&
-		   strcmp(option->unit, "m/s") == 0) {
-		error_set_hint(
-		    error, "write a list, 65,74,85, or a range, 65..85:5");
-	}
-	if (ok && value->n > NUMBERS_MOST)
+	if (!ok)
+		return hint_list_format(option, word, error);
+	if (value->n > NUMBERS_MOST)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected at most %d numbers, got %zu\n"
 		    "leave some out, or give them in several parts",
 		    option->name, (int)NUMBERS_MOST, value->n);
-	return ok;
+	return true;
 }
 
 static bool
