@@ -299,6 +299,8 @@ const char *
 sheet_parse_cell_address(const char *p, int *column, int *line)
 {
 	*column = *line = 0;
+	/* The letters of ASCII, in either case; isalpha knows others in some
+	 * locales. */
 	for (unsigned i; (i = (*p | 32u) - 'a') < 26 && *column < 1000; p++)
 		*column = 26 * *column + (int)i + 1;
 	for (; isdigit((unsigned char)*p) && *line < 1000000; p++)

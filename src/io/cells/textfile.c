@@ -152,10 +152,18 @@ wait_until_pipe_is_readable(int fd, const char **why)
 	return got > 0;
 }
 
+static bool
+is_null_device(const struct stat *about)
+{
+	struct stat null;
+	return S_ISCHR(about->st_mode) && stat("/dev/null", &null) == 0 &&
+	       about->st_rdev == null.st_rdev;
+}
+
 FILE *
 textfile_open(const char *path, const char **why)
 {
-	struct stat about, null;
+	struct stat about;
 	FILE *file = NULL;
 	/* Without O_NONBLOCK, open would wait for a pipe's writer for ever. */
 	int fd = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
@@ -167,9 +175,7 @@ textfile_open(const char *path, const char **why)
 	*why = strerror(errno);
 	if (good && S_ISFIFO(about.st_mode))
 		good = wait_until_pipe_is_readable(fd, why);
-	else if (good && !S_ISREG(about.st_mode) &&
-		 (!S_ISCHR(about.st_mode) || stat("/dev/null", &null) != 0 ||
-		     about.st_rdev != null.st_rdev)) {
+	else if (good && !S_ISREG(about.st_mode) && !is_null_device(&about)) {
 		good = false;
 		*why = tr("expected a file or a pipe, got a device");
 	}
