@@ -237,9 +237,8 @@ struct view {
 };
 
 /* A letter that may begin the name of a command, or a digit that may begin a
- * speed, see word.h.  at: when it was
- * typed, s.  held: its key, if that has not acted yet, or NULL.  was: the
- * user's choices before the letter. */
+ * speed, see word.h.  at: when it was typed, s.  held: its key, if that has not
+ * acted yet, or NULL.  was: the user's choices before it. */
 struct held_letter {
 	char letter;
 	double at;

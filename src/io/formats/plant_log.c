@@ -55,9 +55,8 @@ static const struct {
     {LOG_RATE, "lb/h lbs/h", 0.00045359237},
     {LOG_RATE,
 	"stph t/h tph mtph ton/h tons/h t/tim t/std ton/tim t/hr tn/h mt/h "
-	"ton/hr "
-	"tons/hr tonne/h tonnes/h tonnes/hr ton/hour tons/hour tonnes/hour "
-	"ton/timme t/timme t/stunde t/heure t/uur mg/h",
+	"ton/hr tons/hr tonne/h tonnes/h tonnes/hr ton/hour tons/hour "
+	"tonnes/hour ton/timme t/timme t/stunde t/heure t/uur mg/h",
 	1}};
 
 /* What a column of a log contains: an enum log_column, or one of these.
